@@ -2,10 +2,12 @@
 //!
 //! All changes of the sample are compiled into one copy of the repository, each behind a switch that an environment variable sets.
 //! A mutant costs no compiler then, and only the tests that come to its switch, the quick ones first.
+//! They are run in the order in which they were drawn: those of a run that is stopped are a random sample too, and `--again` goes on.
 //! The kernel has a list of its own.
 
 mod sites;
 
+use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io::{BufRead, BufReader};
@@ -58,9 +60,6 @@ pub fn mutated(mutant: usize) -> bool {
 /// A run that takes so many times as long as it took without a mutant, and this much longer, does not end.
 const PATIENCE: (u32, Duration) = (6, Duration::from_secs(30));
 
-/// Tests that take less are run first.
-const QUICK: Duration = Duration::from_millis(700);
-
 /// What is asked for.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Wish {
@@ -100,6 +99,8 @@ struct Line {
 /// Makes a sample of so many mutants and runs the tests on each of them, or only on those that the last run did not kill.
 pub(crate) fn run(root: &Path, wish: &Wish) -> Result<(), Cause> {
     let Wish { sample, seed, ref only, again, ref test } = *wish;
+    let commit = Command::new("git").args(["describe", "--always", "--dirty"]).current_dir(root).output()?;
+    let from = format!("seed {seed}, commit {}", String::from_utf8(commit.stdout)?.trim());
     let place = root.join(PLACE);
     let tree = place.join(TREE);
     let before: Vec<Line> = if again { data::read(&place, LIST)?.1 } else { Vec::new() };
@@ -110,8 +111,8 @@ pub(crate) fn run(root: &Path, wish: &Wish) -> Result<(), Cause> {
     let programs = loop {
         write(root, &tree, &mutants)?;
         match build(&tree, &place)? {
-            Built::Programs(programs) => break programs,
-            Built::Not(broken) => {
+            Ok(programs) => break programs,
+            Err(broken) => {
                 let before = mutants.len();
                 mutants.retain(|mutant| !broken.iter().any(|at| mutant.holds(&tree, at)));
                 tell(&format!("{} changes do not compile", before - mutants.len()));
@@ -121,31 +122,39 @@ pub(crate) fn run(root: &Path, wish: &Wish) -> Result<(), Cause> {
             }
         }
     };
+    let drawn = mutants.len();
     // Some tests read the sources, and the report shows lines of them.
     copy(root, &tree)?;
     let tests = Test::all(&programs, &place, test)?;
+    let old = |new: &Line| {
+        before.iter().find(|old| (old.number, &old.file, &old.change) == (new.number, &new.file, &new.change)).cloned()
+    };
+    // Some tests alone do not say that a mutant lives.
+    mutants.retain(|mutant| !again || test.is_empty() || old(&mutant.line()).is_some());
+    let of = |lines: &[Line]| {
+        let killed = lines.iter().filter(|line| !line.killed_by.is_empty()).count();
+        format!("{from}: {killed} killed of {} run, of {drawn} that compile", lines.len())
+    };
     let mut lines: Vec<Line> = Vec::new();
     for mutant in &mutants {
         let mut line = mutant.line();
-        line.killed_by = match before.iter().find(|old| old.is_of(&line) && !old.killed_by.is_empty()) {
-            Some(old) => old.killed_by.clone(),
+        line.killed_by = match old(&line).filter(|old| !old.killed_by.is_empty()) {
+            Some(old) => old.killed_by,
             None => killer(&tests, &tree, mutant.number)?.unwrap_or_default(),
         };
-        let by = if line.killed_by.is_empty() { "LIVES" } else { line.killed_by.as_str() };
-        tell(&format!("{}:{} {}: {by}", line.file, line.line, line.change));
-        lines.push(line);
+        lines.push(line.clone());
+        let Line { file, line, change, killed_by: by, .. } = line;
+        let by = if by.is_empty() { "LIVES" } else { &by };
+        tell(&format!("{file}:{line} {change}: {by}; {}", of(&lines)));
         // What is not run yet is in the list as it was.
-        let rest = mutants[lines.len()..].iter().filter_map(|m| before.iter().find(|old| old.is_of(&m.line())));
-        data::write(&place, LIST, &lines.iter().chain(rest).cloned().collect::<Vec<_>>())?;
+        let rest = mutants[lines.len()..].iter().filter_map(|mutant| old(&mutant.line()));
+        data::write(&place, LIST, &lines.iter().cloned().chain(rest).collect::<Vec<_>>())?;
     }
-    let killed = lines.iter().filter(|line| !line.killed_by.is_empty()).count();
-    let commit = Command::new("git").args(["describe", "--always", "--dirty"]).current_dir(root).output()?.stdout;
-    let commit = String::from_utf8(commit)?;
-    println!("Seed {seed}, commit {}: {killed} of {} mutants are killed.", commit.trim(), lines.len());
-    println!("\n| file | change | why it lives |\n|---|---|---|");
+    println!("| file | change | why it lives |\n|---|---|---|");
     for Line { file, line, change, .. } in lines.iter().filter(|line| line.killed_by.is_empty()) {
-        println!("| `{file}` | {line}: {change} | |");
+        println!("| `{file}:{line}` | {change} | |");
     }
+    println!("{}", of(&lines));
     Ok(())
 }
 
@@ -160,7 +169,7 @@ fn copy(root: &Path, tree: &Path) -> Result<(), Cause> {
     Ok(())
 }
 
-/// A sample of sites, none inside another one. The same seed draws the same sample of the same tree.
+/// A sample of sites, none inside another one, as they were drawn. The same seed draws the same sample of the same tree.
 fn drawn(root: &Path, sample: usize, seed: u64, only: &str) -> Result<Vec<Mutant>, Cause> {
     let listed = Command::new("git").args(["ls-files", "src/*.rs"]).current_dir(root).output()?;
     let mut all = Vec::new();
@@ -189,7 +198,6 @@ fn drawn(root: &Path, sample: usize, seed: u64, only: &str) -> Result<Vec<Mutant
             chosen.push(mutant);
         }
     }
-    chosen.sort_by(|a, b| (&a.file, a.site.bytes.start).cmp(&(&b.file, b.site.bytes.start)));
     chosen.iter_mut().zip(1..).for_each(|(mutant, number)| mutant.number = number);
     Ok(chosen)
 }
@@ -201,9 +209,10 @@ fn write(root: &Path, tree: &Path, mutants: &[Mutant]) -> Result<(), Cause> {
     mutants.iter().for_each(|mutant| files.entry(&mutant.file).or_default().push(mutant));
     // A file whose mutants have all been taken back has its old text again.
     copy(root, tree)?;
-    for (file, here) in files {
+    for (file, mut here) in files {
+        here.sort_by_key(|mutant| Reverse(mutant.site.bytes.start));
         let mut text = fs::read_to_string(root.join(file))?;
-        for mutant in here.iter().rev() {
+        for mutant in here {
             let switched = mutant.site.switched(&text, mutant.number);
             text.replace_range(mutant.site.bytes.clone(), &switched);
         }
@@ -217,12 +226,6 @@ fn write(root: &Path, tree: &Path, mutants: &[Mutant]) -> Result<(), Cause> {
 
 /// A place that the compiler names: file and line.
 type At = (String, usize);
-
-impl Line {
-    fn is_of(&self, other: &Self) -> bool {
-        (&self.file, self.line, &self.change) == (&other.file, other.line, &other.change)
-    }
-}
 
 impl Mutant {
     fn line(&self) -> Line {
@@ -245,13 +248,8 @@ impl Mutant {
     }
 }
 
-enum Built {
-    /// The test programs.
-    Programs(Vec<PathBuf>),
-    Not(Vec<At>),
-}
-
-fn build(tree: &Path, place: &Path) -> Result<Built, Cause> {
+/// The test programs, or what does not compile.
+fn build(tree: &Path, place: &Path) -> Result<Result<Vec<PathBuf>, Vec<At>>, Cause> {
     let target = place.join("build");
     let output = Command::new("cargo")
         .args(["test", "--no-run", "--locked", "--lib", "--bins", "--test", "acceptance", "--message-format=json"])
@@ -274,10 +272,7 @@ fn build(tree: &Path, place: &Path) -> Result<Built, Cause> {
             }));
         }
     }
-    if !output.status.success() {
-        return Ok(Built::Not(broken));
-    }
-    Ok(Built::Programs(programs))
+    Ok(if output.status.success() { Ok(programs) } else { Err(broken) })
 }
 
 /// A test, as it is without a mutant.
@@ -324,9 +319,14 @@ impl Test {
             }
         });
         tests.retain(|test| test.takes < Duration::MAX);
-        tests.sort_by_key(|test| test.takes);
+        tests.sort_by(|a, b| a.group().cmp(&b.group()));
         tell(&format!("{} tests pass without a mutant, in {:.0?}", tests.len(), begun.elapsed()));
         Ok(tests)
+    }
+
+    /// Tests that are run at once: of one program, and none takes five times as long as another one.
+    fn group(&self) -> (u32, &Path) {
+        (self.takes.as_millis().max(1).ilog(5), &self.program)
     }
 
     /// Its time and what it reaches.
@@ -349,18 +349,13 @@ fn program(path: &Path, tree: &Path, mutant: usize) -> Command {
     command
 }
 
-/// The first test that fails with a mutant.
+/// A test that fails with a mutant, of the first group that has one.
 fn killer(tests: &[Test], tree: &Path, mutant: usize) -> Result<Option<String>, Cause> {
-    for quick in [true, false] {
-        let mut programs: BTreeMap<&Path, Vec<&Test>> = BTreeMap::new();
-        for test in tests.iter().filter(|test| (test.takes < QUICK) == quick && test.reaches.contains(&mutant)) {
-            programs.entry(&test.program).or_default().push(test);
-        }
-        for (path, tests) in programs {
-            let killer = first_to_fail(program(path, tree, mutant), &tests)?;
-            if killer.is_some() {
-                return Ok(killer);
-            }
+    let reaching: Vec<&Test> = tests.iter().filter(|test| test.reaches.contains(&mutant)).collect();
+    for group in reaching.chunk_by(|a, b| a.group() == b.group()) {
+        let killer = first_to_fail(program(&group[0].program, tree, mutant), group)?;
+        if killer.is_some() {
+            return Ok(killer);
         }
     }
     Ok(None)
