@@ -83,27 +83,6 @@ fn no_forces_are_a_question_too() {
     assert_eq!(code, Some(1), "a beam on the ground has");
 }
 
-/// A survey of too many points to be solved by theory for a few forces: these are the contacts then, and rows without a force are none.
-#[test]
-fn rows_without_a_force_are_no_contacts() {
-    const POINTS: u32 = 6000;
-    let folder = Folder::new("certify_rows");
-    let depth = |k: u32| if 2 * k == POINTS { 0.5 } else { 20.0 + 0.1 * f64::from(k % 3) };
-    let points: Vec<[f64; 2]> = (0..=POINTS).map(|k| [f64::from(k) / f64::from(POINTS), depth(k)]).collect();
-    let scene = format!(
-        "[beam]\nlength = 1\nbending_stiffness = 1\n[load]\nuniform = 384\n[foundation]\npoints = {points:?}\n"
-    );
-    folder.write("survey.toml", scene);
-    // 5 q l⁴/384 EI − F l³/48 EI = 0.5.
-    let bounds = |rows: &str| {
-        folder.write("forces.csv", format!("x,force\n{rows}"));
-        let (code, text, json) = folder.json("certify survey.toml forces.csv");
-        assert_eq!(code, Some(0), "{text}");
-        ["energy_lower", "energy_upper", "deflection_error"].map(|key| number(&json["certificate"][key]))
-    };
-    assert_eq!(bounds("0.5,216\n"), bounds("0.25,0\n0.5,216\n0.9,0\n"));
-}
-
 /// Forces in any order, twice at a place, or far too large are forces: they are bounded, not believed.
 #[test]
 fn strange_forces_are_bounded() {
