@@ -78,16 +78,12 @@ impl Discrete {
         let grid = Grid::uniform(scene, intervals)?;
         let supports = Supports::on(&grid, scene)?;
         let open = scene.foundation().is_none() && !supports.bearings().is_empty();
-        let mut depths = grid.gaps_at(scene, supports.nodes());
-        if open {
-            depths.iter_mut().filter(|gap| gap.is_infinite()).for_each(|gap| *gap = 0.0);
-        }
         Ok(Self {
             grid,
             intervals,
             spacing: grid.spacing(),
             stiffness: scene.beam().bending_stiffness(),
-            depths,
+            depths: grid.gaps_at(scene, supports.nodes()),
             open,
             supports,
             profile: scene.shared_foundation(),
