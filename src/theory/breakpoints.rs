@@ -263,7 +263,7 @@ fn shapes_of(foundation: &Foundation, length: f64) -> (Vec<Shape>, Vec<Break>) {
                 return (vec![Shape::long(coefficients, degree, length)], Vec::new());
             }
             let used = coefficients.iter().rposition(|&c| c != 0.0).map_or(1, |i| i + 1);
-            (vec![Shape::Polynomial { origin: 0.0, coefficients: coefficients[..used].to_vec() }], Vec::new())
+            (vec![Shape::Polynomial(coefficients[..used].to_vec())], Vec::new())
         }
         &Foundation::Cosine { mean, amplitude, wavelength, phase } => {
             (vec![Shape::Cosine { mean, amplitude, wavelength, phase }], Vec::new())

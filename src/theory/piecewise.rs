@@ -278,8 +278,8 @@ impl PiecewiseScene {
     pub(super) fn magnitude_at(&self, x: f64) -> f64 {
         match self.shapes.as_slice() {
             [Shape::Line { origin, depth, slope }] => (depth.abs() + (slope * (x - origin)).abs()).min(self.magnitude),
-            [Shape::Polynomial { origin, coefficients }] => {
-                coefficients.iter().rev().fold(0.0, |sum, c| sum * (x - origin).abs() + c.abs()).min(self.magnitude)
+            [Shape::Polynomial(coefficients)] => {
+                coefficients.iter().rev().fold(0.0, |sum, c| sum * x.abs() + c.abs()).min(self.magnitude)
             }
             [shape @ Shape::Long(_)] => shape.size_near(x).min(self.magnitude),
             _ => self.magnitude,

@@ -17,13 +17,8 @@ pub(super) enum Shape {
         /// Slope.
         slope: f64,
     },
-    /// `u = Σ c_j (x − origin)^j`.
-    Polynomial {
-        /// Where the powers start.
-        origin: f64,
-        /// `c_0, c_1, …`
-        coefficients: Vec<f64>,
-    },
+    /// `u = Σ c_j x^j`: `c_0, c_1, …`
+    Polynomial(Vec<f64>),
     /// `u = mean + amplitude cos(2π x / wavelength + phase)`.
     Cosine {
         /// Mean depth.
@@ -76,7 +71,7 @@ impl Shape {
     /// Its waves: of a cosine one, of the difference of two cosines two.
     pub(super) fn waves(&self) -> [Option<Wave>; 2] {
         match *self {
-            Self::Line { .. } | Self::Polynomial { .. } | Self::Long(_) => [None; 2],
+            Self::Line { .. } | Self::Polynomial(_) | Self::Long(_) => [None; 2],
             Self::Cosine { amplitude, wavelength, phase, .. } => {
                 [Some(Wave { amplitude, number: FULL / wavelength, wavelength, phase }), None]
             }
@@ -92,8 +87,8 @@ impl Shape {
     pub(super) fn fourth_without_waves(&self, x: f64) -> f64 {
         match self {
             Self::Line { .. } | Self::Cosine { .. } => 0.0,
-            Self::Polynomial { coefficients, .. } if coefficients.len() < 5 => 0.0,
-            Self::Polynomial { .. } | Self::Long(_) => {
+            Self::Polynomial(coefficients) if coefficients.len() < 5 => 0.0,
+            Self::Polynomial(_) | Self::Long(_) => {
                 let mut taylor = [0.0; 5];
                 self.taylor(x, &mut taylor);
                 24.0 * taylor[4]
@@ -132,7 +127,7 @@ impl Shape {
     pub(super) fn degree(&self) -> Option<usize> {
         match self {
             Self::Line { .. } => Some(1),
-            Self::Polynomial { coefficients, .. } => Some(coefficients.len().saturating_sub(1)),
+            Self::Polynomial(coefficients) => Some(coefficients.len().saturating_sub(1)),
             Self::Cosine { .. } | Self::Long(_) => None,
             Self::Gap { ground, own } => Some(ground.degree()?.max(own.degree()?)),
         }
@@ -153,7 +148,7 @@ impl Shape {
         const TERMS: usize = 22;
         let terms = match self {
             Self::Line { .. } => return 0.0,
-            Self::Polynomial { coefficients, .. } => coefficients.len().min(TERMS),
+            Self::Polynomial(coefficients) => coefficients.len().min(TERMS),
             Self::Cosine { .. } | Self::Long(_) => TERMS,
             Self::Gap { ground, own } => return ground.bow(x, t, even) - own.bow(x, t, even),
         };
@@ -174,7 +169,7 @@ impl Shape {
                     *out = value;
                 }
             }
-            Self::Polynomial { origin, coefficients } => shifted(coefficients, x - origin, out),
+            Self::Polynomial(coefficients) => shifted(coefficients, x, out),
             Self::Gap { ground, own } => {
                 let mut of_own = vec![0.0; out.len()];
                 own.taylor(x, &mut of_own);
@@ -242,7 +237,7 @@ mod tests {
     fn taylor_coefficients_continue_the_profile() {
         // Sums of a few dozen terms of order 1; the series of the cosine is cut at 0.5^22/22!.
         const ROUNDING: f64 = 1e-14;
-        let polynomial = Shape::Polynomial { origin: 0.25, coefficients: vec![1.0, -2.0, 0.5, 3.0, -1.0, 0.125] };
+        let polynomial = Shape::Polynomial(vec![1.0, -2.0, 0.5, 3.0, -1.0, 0.125]);
         let cosine = Shape::Cosine { mean: 0.3, amplitude: 1.5, wavelength: 2.0, phase: 0.4 };
         for shape in [polynomial, cosine] {
             let (mut there, mut here) = ([0.0; 22], [0.0; 22]);
