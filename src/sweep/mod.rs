@@ -53,9 +53,6 @@ pub const MOST_WORK: u64 = 50_000_000;
 /// The golden section, `(√5 − 1)/2`.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-/// What a row takes beside its answer is so many times the work of its lists: its bounds, and the judgement of them.
-const JUDGED: u64 = 7;
-
 /// Why there is no sweep.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SweepError {
@@ -277,7 +274,7 @@ impl Walk<'_> {
     /// The answer with its verdict. The next one starts from it.
     pub fn row(&mut self, Step { value, scene, exact }: Step) -> Row {
         let pattern = exact.pattern();
-        self.work = self.work.saturating_add(exact.work()).saturating_add(exact.work_of_lists().saturating_mul(JUDGED));
+        self.work = self.work.saturating_add(exact.work()).saturating_add(exact.work_of_bounds(&scene));
         let mut solution = exact.judged(&scene, &Demand::default());
         self.last = solution.exact.take().map(|exact| (value, *exact));
         Row { value, solution, pattern }

@@ -9,7 +9,7 @@ use super::piecewise::PiecewiseScene;
 use super::search::Candidate;
 use super::springs::Springs;
 use crate::certificate::Slope;
-use crate::scene::{Scale, Scene};
+use crate::scene::{Foundation, Scale, Scene};
 
 /// What an answer takes, however small its scene is, on two supports.
 const START: u64 = 50;
@@ -25,6 +25,23 @@ const OF_A_SAMPLE: u64 = 15;
 /// A contact on waves takes as much as so many pieces of straight ground. *Tuned* on 1,000 waves that all touch: a row and its bounds take
 /// 0.15 s, thirty times as much as on a survey of 2,500 points, and a search for events on them has to end as soon.
 const ON_A_WAVE: usize = 16;
+
+/// A part of the beam on ground that gives takes as much as so many pieces of rigid ground. *Tuned* on level ground of stiffness 1 to 10²⁰
+/// and on polynomials: a solve takes 0.9 to 1.6 microseconds for each of its parts, and a sweep has 0.2 for a unit.
+const OF_A_PART: usize = 5;
+
+/// Bounds take so many times the work of the lists.
+const JUDGED: u64 = 7;
+
+/// Bounds of a part on ground that gives. *Tuned* on level ground of stiffness 10¹²: 5 ms for 103 parts.
+const BOUNDS_OF_A_PART: usize = 250;
+
+/// What each coefficient of a polynomial beyond [`SHORT`] adds to the bounds of a rigid piece, and of a part on ground that gives. *Tuned* on
+/// 20, 40 and 80 coefficients: 12, 50 to 84 and 236 to 284 ms on rigid ground, 53, 400 and 1,620 ms on springs.
+const OF_A_COEFFICIENT: [usize; 2] = [100, 210];
+
+/// Coefficients of a polynomial that add nothing.
+const SHORT: usize = 8;
 
 /// Newton steps on contacts that only move: from beside the solution two double the digits up to the last one, and two are at rest.
 const STEPS: usize = 4;
@@ -86,8 +103,24 @@ impl Exact {
         self.work_of_lists() + OF_A_SAMPLE * u64::try_from(self.samples).unwrap_or(u64::MAX)
     }
 
-    /// The same without the chains from which its first lists came: its bounds take so many times this.
-    pub(crate) fn work_of_lists(&self) -> u64 {
+    /// What it takes to prove bounds for it, in the same units.
+    #[must_use]
+    pub fn work_of_bounds(&self, scene: &Scene) -> u64 {
+        let profiles = [scene.foundation(), scene.beam().shape()];
+        let long = |profile: &Foundation| match profile {
+            Foundation::Polynomial { coefficients } => coefficients.len().saturating_sub(SHORT),
+            _ => 0,
+        };
+        let long = profiles.into_iter().flatten().map(long).max().unwrap_or(0);
+        let parts = self.springs.as_ref().map_or(0, Springs::size);
+        let [rigid, soft] = OF_A_COEFFICIENT.map(|each| each * long);
+        let pieces = self.given.cells.len() * rigid + parts * (BOUNDS_OF_A_PART + soft);
+        let lists = if self.springs.is_some() { 0 } else { JUDGED * self.work_of_lists() };
+        lists + u64::try_from(pieces).unwrap_or(u64::MAX)
+    }
+
+    /// The same without the chains from which its first lists came.
+    fn work_of_lists(&self) -> u64 {
         self.work_of(self.lists, self.iterations)
     }
 
@@ -100,7 +133,7 @@ impl Exact {
         let on_waves = self.given.shapes.iter().any(|shape| shape.waves()[0].is_some());
         let nodes = self.list.nodes.len() * if on_waves { ON_A_WAVE } else { 1 };
         // To read, scale and sum up a point load takes as much again as the piece of the beam that it starts.
-        let sunk = self.springs.as_ref().map_or(0, Springs::size);
+        let sunk = OF_A_PART * self.springs.as_ref().map_or(0, Springs::size);
         let pieces = self.given.cells.len() + sunk + self.given.forces().count();
         let passes = (lists + 1) * (pieces + nodes) + steps * nodes;
         // Of thousands of supports this is nearly all of it.

@@ -3,6 +3,7 @@
 use palkki::adaptive::{Request, adapt};
 use palkki::route::{Method, Solver};
 use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, Support};
+use palkki::sweep::{MOST_WORK, Sweep};
 use palkki::{Settings, solve_raw, theory};
 use palkki_evidence::random::Random;
 
@@ -118,4 +119,30 @@ fn the_samples_of_a_search_are_work() {
     let plain = scene(13.0, 1.0, Vec::new(), Foundation::Flat { depth: 1.0 });
     let plain = theory::solve(&plain).expect("in range");
     assert!(100 * plain.work() < hard.work(), "{} and {}", plain.work(), hard.work());
+}
+
+/// Bounds on long polynomials, and ground that gives, count as what they take: the rows of a limited sweep are over in some ten seconds.
+/// Beside each scene is how many of its rows took ten seconds where they were timed.
+#[test]
+fn rows_are_counted_as_what_they_take() {
+    /// A count is no clock: it may be off by a half.
+    const MISCOUNTED: f64 = 1.5;
+    let ground = |length: u32| {
+        let coefficients = (0..=length).map(|j| if j == 0 { 1.0 } else { 1e-3 / LENGTH.powf(f64::from(j)) }).collect();
+        Foundation::Polynomial { coefficients }
+    };
+    for (length, stiffness, rows) in [(40, None, 118.0), (80, None, 35.0), (40, Some(1.0), 28.0), (80, Some(1.0), 7.0)]
+    {
+        let rigid = scene(13.0, 1.0, Vec::new(), ground(length));
+        let scene = stiffness.map_or_else(|| rigid.clone(), |k| rigid.clone().on_springs(k).expect("ground"));
+        let sweep = Sweep::new(&scene, "load.uniform", [1.0, 2.0], 3).expect("a number");
+        let mut walk = sweep.walk();
+        let step = walk.solve(1.0).expect("an answer");
+        walk.row(step);
+        let most = MOST_WORK / walk.work();
+        assert!(
+            u32::try_from(most).is_ok_and(|most| f64::from(most) <= MISCOUNTED * rows),
+            "{length} coefficients, {stiffness:?}: {most} rows"
+        );
+    }
 }
