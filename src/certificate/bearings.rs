@@ -18,7 +18,7 @@ use super::kernel::interval::Interval;
 use super::kernel::proof::Pair;
 use super::kernel::springs::Stretch;
 use super::support_forces::piece_at;
-use crate::scene::{Bearing, Scale, Scene, SceneError, Support, is_same_place};
+use crate::scene::{Bearing, Scene, SceneError, Support, is_same_place};
 
 /// A deflection that is less by this share of the largest one is that of a support: some thousand units in the last place.
 const SAME: f64 = 1e-12;
@@ -28,11 +28,10 @@ const SAME: f64 = 1e-12;
 /// # Errors
 ///
 /// Those of [`Scene::new`].
-pub(super) fn held(scene: &Scene, witness: &[Stretch], scale: &Scale) -> Result<Scene, SceneError> {
+pub(super) fn held(scene: &Scene, witness: &[Stretch]) -> Result<Scene, SceneError> {
     let length = scene.beam().length();
     let hanging = || witness.iter().filter(|stretch| stretch.sunk.is_empty());
     let ends = || hanging().flat_map(|s| [(s.from, s.ends[0][0]), (s.to, s.ends[1][0])]);
-    let ends = || ends().map(|(x, v)| (x / scale.length, v / scale.depth));
     let size = ends().fold(0.0, |most: f64, (_, v)| most.max(v.abs()));
     let touches = |Bearing { at, gap }: Bearing| {
         ends().any(|(x, v)| is_same_place(x, at, length) && gap - SAME * size.max(gap.abs()) <= v)

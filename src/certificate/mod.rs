@@ -122,18 +122,18 @@ impl Proof {
         Ok(Self { scaled, pair, known })
     }
 
-    /// The same on ground that gives, from stretches: where it presses, and how the beam is sunk into it. Those of a wrong answer
-    /// make the bounds wide, and never untrue.
+    /// The same on ground that gives, from stretches in the units of [`Scene::scaled`]: where it presses, and how the beam is sunk into
+    /// it. Those of a wrong answer make the bounds wide, and never untrue.
     ///
     /// # Errors
     ///
     /// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled.
     pub fn of_stretches(scene: &Scene, witness: &[Stretch]) -> Result<Self, SceneError> {
         let scaled = scene.scaled()?;
-        let held = bearings::held(&scaled.scene, witness, &scaled.scale)?;
+        let held = bearings::held(&scaled.scene, witness)?;
         let proven = in_intervals(&held, scaled.balance, |enclosed| {
             let ground = scaled.scene.ground_stiffness()?;
-            let cut = stretches::cut(enclosed, ground, witness, &scaled.scale);
+            let cut = stretches::cut(enclosed, ground, witness);
             let (pair, known) = of_pair(enclosed, &scaled, kernel::springs::pair(enclosed, ground, &cut));
             let known = bearings::of_scene(&scaled.scene, enclosed, &pair.as_ref()?.0, &known)?;
             Some((pair, known))

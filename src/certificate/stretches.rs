@@ -3,7 +3,6 @@
 use super::kernel::contact_node::EnclosedScene;
 use super::kernel::springs::MOST_TERMS;
 pub use super::kernel::springs::Stretch;
-use crate::scene::Scale;
 
 /// Cells in a length of `1/λ`, `4λ⁴ = k/EI`: what [`MOST_TERMS`] coefficients leave out is a billionth then (*tuned* with them).
 const CELLS_IN_A_LENGTH: f64 = 8.0;
@@ -19,10 +18,10 @@ const SHORT: f64 = 1e-5;
 
 /// The stretches of a scene in dimensionless numbers, cut where ground or load have a break and into short cells; what hangs is one
 /// stretch from support to support or pressed part.
-pub(super) fn cut(enclosed: &EnclosedScene<'_>, ground: f64, given: &[Stretch], scale: &Scale) -> Vec<Stretch> {
+pub(super) fn cut(enclosed: &EnclosedScene<'_>, ground: f64, given: &[Stretch]) -> Vec<Stretch> {
     let mut cut = Vec::new();
     let length = (0.25 * ground / enclosed.stiffness).sqrt().sqrt().recip();
-    for stretch in joined(enclosed, length, given, scale) {
+    for stretch in joined(enclosed, length, given) {
         if stretch.sunk.is_empty() {
             cut.push(stretch);
         } else {
@@ -41,17 +40,16 @@ pub(super) fn cut(enclosed: &EnclosedScene<'_>, ground: f64, given: &[Stretch], 
 }
 
 /// With what hangs in one, and without what hangs over next to nothing.
-fn joined(enclosed: &EnclosedScene<'_>, length: f64, given: &[Stretch], scale: &Scale) -> Vec<Stretch> {
+fn joined(enclosed: &EnclosedScene<'_>, length: f64, given: &[Stretch]) -> Vec<Stretch> {
     let mut hanging: Vec<Stretch> = Vec::new();
     for stretch in given {
-        let stretch = stretch.in_units(1.0 / scale.length, scale.depth.recip());
         match hanging.last_mut() {
             Some(last)
                 if last.sunk.is_empty() && stretch.sunk.is_empty() && enclosed.support(stretch.from).is_none() =>
             {
                 (last.to, last.ends[1]) = (stretch.to, stretch.ends[1]);
             }
-            _ => hanging.push(stretch),
+            _ => hanging.push(stretch.clone()),
         }
     }
     let mut joined: Vec<Stretch> = Vec::new();
@@ -160,35 +158,4 @@ fn jet(taylor: &[f64]) -> [f64; 4] {
         let mut terms = taylor.iter();
         move |factor| factor * terms.next().unwrap_or(&0.0)
     })
-}
-
-impl Stretch {
-    /// In other units: factors of lengths and of depths.
-    #[must_use]
-    pub fn in_units(&self, length: f64, depth: f64) -> Self {
-        let mut other = self.clone();
-        (other.from, other.to) = (self.from * length, self.to * length);
-        let [left, right] = &mut other.ends;
-        for derivatives in [&mut other.sunk[..], left, right] {
-            derivatives.iter_mut().fold(depth, |unit, value| {
-                *value *= unit;
-                unit / length
-            });
-        }
-        other
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::Stretch;
-
-    #[test]
-    fn each_derivative_has_its_unit() {
-        let derivatives = [1.0, 2.0, 3.0, 4.0];
-        let own = Stretch { from: 0.25, to: 0.5, sunk: derivatives.to_vec(), ends: [derivatives; 2] };
-        let scaled = [8.0, 4.0, 1.5, 0.5];
-        let other = Stretch { from: 1.0, to: 2.0, sunk: scaled.to_vec(), ends: [scaled; 2] };
-        assert_eq!(own.in_units(4.0, 8.0), other);
-    }
 }

@@ -223,12 +223,11 @@ impl Exact {
         self.list.nodes.iter().filter_map(held).collect()
     }
 
-    /// Of ground that gives, the stretches of the beam: the witness of a certificate.
+    /// Of ground that gives, the stretches of the beam in the units of [`Scene::scaled`](crate::scene::Scene::scaled): the witness of a
+    /// certificate.
     #[must_use]
     pub fn stretches(&self) -> Option<Vec<Stretch>> {
-        let Scale { length, depth, .. } = self.scale;
-        let stretches = self.springs.as_ref()?.stretches();
-        Some(stretches.map(|stretch| stretch.in_units(length, depth)).collect())
+        Some(self.springs.as_ref()?.stretches().collect())
     }
 
     /// `∫ f(v, v', v'', v''') dx`, dimensionless.

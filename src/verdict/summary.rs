@@ -101,11 +101,11 @@ pub(super) fn shares<'a>(
     let v = &state.deflection;
     let deflection = share(v.max, deflection_max, deflection_rounding(scene, state), v.magnitude());
     let at_rest = if is_unbent(certificate) { moment_rounding(scene) } else { 0.0 };
-    let (m, rounding) = (&state.moment, ENERGY * state.moment.magnitude() + at_rest);
+    let (m, of_moments) = (&state.moment, ENERGY * state.moment.magnitude() + at_rest);
     let [greatest, least] = certificate.moments_beside(state).unwrap_or([None; 2]);
     let outside = |own: f64, bracket: Option<[f64; 2]>| {
         let off = bracket.map_or(0.0, |[least, most]| (least - own).max(own - most));
-        if off <= rounding { 0.0 } else { off / m.magnitude() }
+        if off <= of_moments { 0.0 } else { off / m.magnitude() }
     };
     let others = [
         (Number::ContactForce, share(contact, contact_force, rounding, largest.max(contact))),

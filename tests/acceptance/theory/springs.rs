@@ -7,7 +7,7 @@ use palkki::theory::{Exact, solve};
 use palkki::{Solution, solve_exactly};
 use palkki_evidence::compare::largest;
 use palkki_evidence::differences::Trial;
-use palkki_evidence::draft::Draft;
+use palkki_evidence::draft::{Draft, Units};
 use palkki_evidence::random::{self, Random};
 
 use crate::scenes::on_supports;
@@ -249,6 +249,29 @@ fn random_scenes_are_certified() {
     }
     assert_eq!(tried, SCENES);
     assert!(500 * refused.len() <= SCENES, "{}: {refused:#?}", refused.len());
+}
+
+/// Verdict and bounds are the same, however long a unit of length is, from 1e-30 to 1e+30: of powers of two to the last bit. Beyond, the
+/// coefficients of some polynomials leave the range of numbers.
+#[test]
+fn units_of_length_do_not_matter() {
+    let two_to = |power: i32| 2.0_f64.powi(power);
+    let mut certified = 0;
+    for scene in (0..).filter_map(on_springs).take(40) {
+        let (draft, stiffness) = (Draft::from(&scene), scene.ground_stiffness().expect("it gives"));
+        let of = |unit: f64| {
+            let units = Units { length: unit, depth: unit, force: 1.0 };
+            let scene = draft.in_units(units).scene().and_then(|scene| scene.on_springs(stiffness / (unit * unit)));
+            let verdict = solve_exactly(&scene.expect("in range")).expect("an answer").verdict;
+            (verdict.status, verdict.error.to_bits(), verdict.largest_error().to_bits())
+        };
+        let expected = of(1.0);
+        certified += usize::from(expected.0 == Status::Certified);
+        for power in [-100, -30, 30, 100] {
+            assert_eq!(of(two_to(power)), expected, "2^{power}: {}", draft.text());
+        }
+    }
+    assert!(36 < certified, "{certified}");
 }
 
 /// Bounds from a wrong witness, the stretches of the beam on softer and stiffer ground, are wide and true.
