@@ -263,6 +263,12 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<Node> {
         ];
         let here = scene.load().point().iter().filter(|load| (load.at - x).abs() <= SAME * length);
         let load = here.fold(0.0, |sum, load| sum + load.force);
+        // At a free end it is what stands there; beside it the distributed load of that share of the length is in it.
+        let shears = match what {
+            What::End if x <= 0.0 => [0.0, -load],
+            What::End => [load, 0.0],
+            _ => shears,
+        };
         Node { what, x, deflection, slope: follows.then(|| exact.slope(x)), moments, shears, load, force }
     };
     found.into_iter().map(node).collect()

@@ -169,8 +169,8 @@ pub enum Refusal {
         /// The worst violation.
         residual: f64,
     },
-    /// Its contact forces are not all numbers.
-    #[error("its contact forces are not all numbers")]
+    /// Its numbers are not all finite.
+    #[error("it has numbers that are not finite")]
     NoNumbers,
     /// Nothing could be proven for the continuous beam.
     #[error("no finite bound on how far the beam may be off could be proven")]
@@ -270,8 +270,10 @@ impl Verdict {
         let certificate = ExactContacts::of(exact).proof(scene).map(|proof| proof.judge(Judged::Witness));
         let own = if exact.solved {
             certificate.as_ref().and_then(|c| differs_from_bounds(scene, c, &exact.state))
-        } else {
+        } else if exact.state.is_finite() {
             Some(Refusal::Theory { residual: exact.residual })
+        } else {
+            Some(Refusal::NoNumbers)
         };
         let most = demand.error.min(EXACT);
         let size = exact.state.deflection.magnitude();

@@ -69,7 +69,8 @@ fn equations_of_random_scenes_hold() {
         for (i, node) in found.nodes.iter().enumerate() {
             let [left, right] = node.shears;
             let jump = right - left + node.load;
-            assert!((jump - node.force).abs() <= 1e-9 * forces, "{seed}: {node:?}");
+            let rounding = if node.what == What::End { 0.0 } else { 1e-9 * forces };
+            assert!((jump - node.force).abs() <= rounding, "{seed}: {node:?}");
             for span in found.spans.iter().filter(|span| span.left == i) {
                 let next = &found.nodes[i + 1];
                 let rise = (next.moments[0] - node.moments[1]) / span.length;

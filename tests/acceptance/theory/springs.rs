@@ -4,6 +4,7 @@ use palkki::certificate::{Judged, Proof};
 use palkki::route::Status;
 use palkki::scene::{Foundation, LinearLoad, Scene, Support};
 use palkki::theory::{Exact, solve};
+use palkki::verdict::Refusal;
 use palkki::{Solution, solve_exactly};
 use palkki_evidence::compare::largest;
 use palkki_evidence::differences::Trial;
@@ -272,6 +273,15 @@ fn units_of_length_do_not_matter() {
         }
     }
     assert!(36 < certified, "{certified}");
+}
+
+/// Where an answer leaves the range of numbers that is the reason, and not a condition that it violates by nothing.
+#[test]
+fn an_answer_beyond_the_range_of_numbers_says_so() {
+    let scene = Draft::over(Foundation::Flat { depth: 1.0 }).scene().and_then(|scene| scene.on_springs(1e60));
+    let solution = solve_exactly(&scene.expect("a scene")).expect("an answer");
+    assert!(!solution.state.is_finite());
+    assert_eq!(solution.verdict.refusal, Some(Refusal::NoNumbers));
 }
 
 /// Bounds from a wrong witness, the stretches of the beam on softer and stiffer ground, are wide and true.
