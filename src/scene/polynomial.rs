@@ -45,6 +45,11 @@ pub(crate) fn parts(degree: usize) -> usize {
     PARTS_PER_DEGREE * degree
 }
 
+/// Coefficients that the expansions on so many parts are made from, all together.
+pub(crate) fn coefficients_of(parts: usize) -> usize {
+    parts * (parts / PARTS_PER_DEGREE)
+}
+
 /// `u(x)`.
 pub(super) fn value(coefficients: &[f64], x: f64) -> f64 {
     if long_degree(coefficients).is_some() {

@@ -7,6 +7,7 @@ use super::margin::{Condition, all, stopped, violated_conditions};
 use super::newton;
 use super::piecewise::PiecewiseScene;
 use super::search::Candidate;
+use super::shape::Shape;
 use super::springs::Springs;
 use crate::certificate::Slope;
 use crate::scene::{Foundation, Scale, Scene};
@@ -136,9 +137,11 @@ impl Exact {
         let sunk = OF_A_PART * self.springs.as_ref().map_or(0, Springs::size);
         let pieces = self.given.cells.len() + sunk + self.given.forces().count();
         let passes = (lists + 1) * (pieces + nodes) + steps * nodes;
+        // To make the pieces of a long polynomial takes as much for each coefficient of each as a piece that is gone through.
+        let made: usize = self.given.shapes.iter().map(Shape::expanded).sum();
         // Of thousands of supports this is nearly all of it.
         let many = OF_A_SUPPORT * self.given.supports.len().saturating_sub(2);
-        START + u64::try_from(passes + many).unwrap_or(u64::MAX)
+        START + u64::try_from(passes + made + many).unwrap_or(u64::MAX)
     }
 
     /// The list of this solution, with its places as they are in `scene`.

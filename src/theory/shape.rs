@@ -1,6 +1,6 @@
 //! One smooth piece of a foundation profile: its depth and all derivatives.
 
-use crate::scene::polynomial::{LONG_TERMS, cuts, expanded, parts};
+use crate::scene::polynomial::{LONG_TERMS, coefficients_of, cuts, expanded, parts};
 
 /// A full turn, `2π`.
 const FULL: f64 = 2.0 * std::f64::consts::PI;
@@ -121,6 +121,15 @@ impl Shape {
         let Self::Long(parts) = self else { return f64::INFINITY };
         let near = expansion(parts, x);
         near.coefficients.iter().rev().fold(0.0, |sum, c| sum * (x - near.middle).abs() + c.abs())
+    }
+
+    /// Coefficients from which the expansions of long polynomials are made, all together.
+    pub(super) fn expanded(&self) -> usize {
+        match self {
+            Self::Long(parts) => coefficients_of(parts.len()),
+            Self::Gap { ground, own } => ground.expanded() + own.expanded(),
+            _ => 0,
+        }
     }
 
     /// The degree, if it is one polynomial.
