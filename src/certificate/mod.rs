@@ -69,7 +69,6 @@ use self::kernel::distance::{self, Error};
 use self::kernel::foundation::EnclosedFoundation;
 use self::kernel::gap::EnclosedGap;
 use self::kernel::held::hold_by_zones;
-use self::kernel::load::EnclosedLoad;
 use self::kernel::proof::{self, Pair, Piece};
 use self::largest::{extremes, largest};
 use self::quantities::energy;
@@ -230,8 +229,7 @@ fn in_intervals<R>(scene: &Scene, balance: Balance, act: impl FnOnce(&EnclosedSc
     let bearings: Vec<_> = scene.beam().bearings().iter().flat_map(alone).collect();
     let ground = EnclosedFoundation { bearings: &bearings, ..profile(ground.unwrap_or(&NONE)) };
     let gap = EnclosedGap { ground, shape: profile(shape.unwrap_or(&STRAIGHT)) };
-    let supports = EnclosedSupport::of(scene, &gap);
-    let load = standing::between(&supports, EnclosedLoad::of(scene));
+    let (load, supports) = (standing::between(scene), EnclosedSupport::of(scene, &gap));
     let turns = |about: &f64| !supports.iter().any(|s| s.is_fixed && (s.x - about).abs() <= 0.0);
     let balanced_at = match balance {
         Balance::Neutral { about, .. } => Some(about).filter(turns),

@@ -7,22 +7,16 @@
 //! J(v) = J₀(v) − Σ P d_s,     R_s = R₀_s + Σ P
 //! ```
 
-use super::kernel::contact_node::{EnclosedScene, EnclosedSupport};
+use super::kernel::contact_node::EnclosedScene;
 use super::kernel::interval::Interval;
 use super::kernel::load::EnclosedLoad;
-use crate::scene::Load;
+use crate::scene::{Load, Scene};
 
-/// The other loads of a dimensionless scene.
-pub(super) fn between(supports: &[EnclosedSupport], mut load: EnclosedLoad) -> EnclosedLoad {
-    load.points.retain(|(at, _)| on(supports, *at).is_none());
+/// The loads of a dimensionless scene without those that its supports carry.
+pub(super) fn between(scene: &Scene) -> EnclosedLoad {
+    let mut load = EnclosedLoad::of(scene);
+    load.points.retain(|(at, _)| !scene.beam().carries(*at));
     load
-}
-
-/// The support that carries a load at a place.
-fn on(supports: &[EnclosedSupport], at: f64) -> Option<&EnclosedSupport> {
-    let held = 2 <= supports.len() || supports.iter().any(|support| support.slope.is_some());
-    let here = supports.get(supports.partition_point(|support| support.x < at));
-    here.filter(|support| held && support.x <= at)
 }
 
 /// The loads that stand on supports, beside the others.
@@ -36,12 +30,14 @@ pub(super) struct Standing {
 }
 
 impl Standing {
+    /// Those of all loads on supports that the enclosed scene does not have.
     pub(super) fn of(enclosed: &EnclosedScene<'_>, load: &Load) -> Self {
-        let standing =
-            load.point().iter().filter_map(|p| Some((on(enclosed.supports, p.at)?, Interval::exact(p.force))));
+        let left_out = |at: f64| enclosed.load.points.binary_search_by(|point| point.0.total_cmp(&at)).is_err();
+        let on = |at: f64| enclosed.support(at).filter(|_| left_out(at));
+        let standing = load.point().iter().filter_map(|p| Some((on(p.at)?, Interval::exact(p.force))));
         let work = standing.clone().fold(Interval::ZERO, |sum, (support, force)| sum + force * support.deflection);
         let forces = standing.map(|(support, force)| (support.x, force)).collect();
-        Self { others: load.without(|at| on(enclosed.supports, at).is_some()), forces, work }
+        Self { others: load.without(|at| on(at).is_some()), forces, work }
     }
 
     /// The energy of the whole scene, from that on the other loads.
