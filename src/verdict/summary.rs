@@ -86,10 +86,10 @@ pub(super) fn shares<'a>(
         if off <= rounding { 0.0 } else { off / largest }
     };
     // What stands on a support is exact, and hides nothing of what the beam brings there but the last digits of the sum.
-    let forces = state.supports.iter().map(|s| (s.force - scene.standing_on(s.at)).abs());
+    let forces: Vec<f64> = state.supports.iter().map(|s| (s.force - scene.standing_on(s.at)).abs()).collect();
     let contact = state.contact_force();
-    let sum = scene.bending_load().magnitude(scene.beam().length()) + forces.clone().sum::<f64>() + contact;
-    let (largest, rounding) = (forces.fold(0.0, f64::max), ROUNDING * sum);
+    let sum = scene.bending_load().magnitude(scene.beam().length()) + forces.iter().sum::<f64>() + contact;
+    let (largest, rounding) = (forces.into_iter().fold(0.0, f64::max), ROUNDING * sum);
     let brackets = state.supports.iter().zip(&certificate.reactions).enumerate();
     let supports = brackets.map(move |(k, (support, bracket))| {
         let last_digits = 4.0 * f64::EPSILON * support.force.abs();
