@@ -13,7 +13,7 @@ use crate::double::Double;
 /// A polynomial with more coefficients is long. Those of Chebyshev's polynomial of degree `d` add up to `(3 + √8)^d / 2` times its
 /// largest value: with seven coefficients a sum in 64 bits still has eleven digits of it, with ten no more than nine, and the
 /// conditions of beam theory are met to twelve.
-const SHORT: usize = 7;
+pub(crate) const SHORT: usize = 7;
 /// Parts of a beam for each degree of a long polynomial, see [`cuts`].
 const PARTS_PER_DEGREE: usize = 3;
 /// Terms of its expansion that count over half of such a part: the polynomial is of the size of its largest magnitude `M` on

@@ -10,6 +10,7 @@ use super::search::Candidate;
 use super::shape::Shape;
 use super::springs::Springs;
 use crate::certificate::Slope;
+use crate::scene::polynomial::{SHORT, long_degree};
 use crate::scene::{Foundation, Scale, Scene};
 
 /// What an answer takes, however small its scene is, on two supports.
@@ -37,12 +38,9 @@ const JUDGED: u64 = 7;
 /// Bounds of a part on ground that gives. *Tuned* on level ground of stiffness 10¹²: 5 ms for 103 parts.
 const BOUNDS_OF_A_PART: usize = 250;
 
-/// What each coefficient of a polynomial beyond [`SHORT`] adds to the bounds of a rigid piece, and of a part on ground that gives. *Tuned* on
+/// What each coefficient of a polynomial beyond those of a [`SHORT`] one adds to the bounds of a rigid piece, and of a part on ground that gives. *Tuned* on
 /// 20, 40 and 80 coefficients: 12, 50 to 84 and 236 to 284 ms on rigid ground, 53, 400 and 1,620 ms on springs.
 const OF_A_COEFFICIENT: [usize; 2] = [100, 210];
-
-/// Coefficients of a polynomial that add nothing.
-const SHORT: usize = 8;
 
 /// Newton steps on contacts that only move: from beside the solution two double the digits up to the last one, and two are at rest.
 const STEPS: usize = 4;
@@ -109,7 +107,7 @@ impl Exact {
     pub fn work_of_bounds(&self, scene: &Scene) -> u64 {
         let profiles = [scene.foundation(), scene.beam().shape()];
         let long = |profile: &Foundation| match profile {
-            Foundation::Polynomial { coefficients } => coefficients.len().saturating_sub(SHORT),
+            Foundation::Polynomial { coefficients } => long_degree(coefficients).map_or(0, |degree| degree - SHORT),
             _ => 0,
         };
         let long = profiles.into_iter().flatten().map(long).max().unwrap_or(0);
