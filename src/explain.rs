@@ -255,19 +255,17 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<Node> {
     });
     let node = |(x, what, force, follows): (f64, What, f64, bool)| {
         let (deflection, moments) = (exact.deflection(x), exact.moments(x));
-        // Beyond whatever acts at this place.
-        let [left, right] = [x - SAME * length, x + SAME * length];
-        let shears = [
-            if 0.0 < left { exact.shear(left)[0] } else { 0.0 },
-            if right < length { exact.shear(right)[1] } else { 0.0 },
-        ];
         let here = scene.load().point().iter().filter(|load| (load.at - x).abs() <= SAME * length);
         let load = here.fold(0.0, |sum, load| sum + load.force);
-        // At a free end it is what stands there; beside it the distributed load of that share of the length is in it.
+        // Beside whatever acts at this place; at a free end, what stands there: beside it a distributed load is in it, too.
+        let [left, right] = [x - SAME * length, x + SAME * length];
         let shears = match what {
             What::End if x <= 0.0 => [0.0, -load],
             What::End => [load, 0.0],
-            _ => shears,
+            _ => [
+                if 0.0 < left { exact.shear(left)[0] } else { 0.0 },
+                if right < length { exact.shear(right)[1] } else { 0.0 },
+            ],
         };
         Node { what, x, deflection, slope: follows.then(|| exact.slope(x)), moments, shears, load, force }
     };

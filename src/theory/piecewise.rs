@@ -49,7 +49,7 @@ pub(super) struct AtSupport {
     pub(super) built_in: bool,
     /// Clearance below it, on its left and on its right.
     pub(super) clearance: [f64; 2],
-    /// True on a side where the ground starts at its level: a point exactly, a formula up to the rounding of its depth.
+    /// [`Held::tangent`](crate::scene::Held::tangent): true on a side where the beam can follow the ground from its level.
     pub(super) tangent: [bool; 2],
     /// The numbers that add up to the depth of the ground there: at the left end a polynomial is its first coefficient.
     pub(super) size: f64,

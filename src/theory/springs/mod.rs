@@ -59,7 +59,7 @@ fn beside(parts: &[Part], x: f64) -> [[f64; 4]; 2] {
     [i.checked_sub(1), Some(i)].map(|i| i.and_then(|i| parts.get(i)).map_or([0.0; 4], |part| part.beam(x)))
 }
 
-/// What the set is found by.
+/// The stretches that press, and the beam on them.
 #[derive(Debug)]
 struct StretchSet {
     parts: Vec<Part>,
