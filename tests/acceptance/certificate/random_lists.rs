@@ -3,7 +3,7 @@
 use palkki::certificate::{Judged, certify};
 use palkki::scene::{Beam, Foundation, Load, Scene, Support};
 use palkki::state::Contact;
-use palkki_evidence::random::Random;
+use palkki_evidence::random::{Random, sample_of};
 
 use super::supports::{flat, sampled, zone};
 
@@ -13,7 +13,7 @@ use super::supports::{flat, sampled, zone};
 fn random_lists_do_not_contradict_each_other() {
     let mut random = Random::new(0x5_u64);
     let (mut bounded, mut asked) = (0, 0);
-    for case in 0..300 {
+    for case in 0..sample_of(300) {
         let l = random.between(2.0, 12.0);
         let level = |random: &mut Random| if random.once_in(2) { 0.0 } else { random.between(-0.1, 0.1) };
         let mut supports: Vec<Support> = Vec::new();
@@ -69,5 +69,5 @@ fn random_lists_do_not_contradict_each_other() {
             }
         }
     }
-    assert!(100 < asked && 2 * asked < 3 * bounded, "{bounded} of {asked}");
+    assert!(sample_of(100) < asked && 2 * asked < 3 * bounded, "{bounded} of {asked}");
 }

@@ -133,14 +133,15 @@ fn check(name: &str, i: u64, scene: &Scene) -> bool {
 #[test]
 fn right_and_wrong_forces_on_random_scenes_are_bounded_truthfully() {
     let mut compared = 0;
-    for i in 0..SCENES {
+    let scenes = random::sample_of(SCENES);
+    for i in 0..scenes {
         compared += usize::from(check("random", i, &random::scene(i)));
         compared += usize::from(check("lattice", i, &random::on_lattice(i)));
         if i % 5 == 0 {
             compared += usize::from(check("rough", i, &random::rough(i)));
         }
     }
-    assert!(SCENES < compared as u64, "theory is certified on most scenes: {compared}");
+    assert!(scenes < compared as u64, "theory is certified on most scenes: {compared}");
 }
 
 /// The example with a lift-off point moved by `δ`: what it is off by, from the closed form of a span that ends at `a + δ` with

@@ -16,13 +16,12 @@ fn is_solved(scene: &Scene) {
     assert_eq!(violated(scene, &exact, OFF), Vec::<String>::new(), "{}", scene.title());
 }
 
-/// Of random beams on random supports some are not held, and not more than ten in 800 not solved.
+/// Of random beams on random supports some are not held, and not more than ten in 800 not solved, as in a series of 2000.
 #[test]
 fn random_beams_meet_the_definition() {
-    /// As in a series of 2000.
-    const COUNT: u64 = 800;
+    let count = random::sample_of(800);
     let (mut refused, mut open) = (0, Vec::new());
-    for i in 0..COUNT {
+    for i in 0..count {
         let scene = random::held(i);
         match solve(&scene) {
             Ok(exact) if exact.solved => assert_eq!(violated(&scene, &exact, OFF), Vec::<String>::new(), "{i}"),
@@ -31,8 +30,8 @@ fn random_beams_meet_the_definition() {
             Err(error) => panic!("{i}: {error}"),
         }
     }
-    assert!(10 * refused < COUNT, "{refused} are not held");
-    assert!(open.len() <= 10, "{open:#?}");
+    assert!(10 * refused < count, "{refused} are not held");
+    assert!(80 * open.len() as u64 <= count, "{open:#?}");
 }
 
 /// As are all of series of 60 000, and all but 2 of 12 000 rough ones.

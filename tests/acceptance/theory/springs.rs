@@ -9,7 +9,7 @@ use palkki::{Solution, solve_exactly};
 use palkki_evidence::compare::largest;
 use palkki_evidence::differences::Trial;
 use palkki_evidence::draft::{Draft, Units};
-use palkki_evidence::random::{self, Random};
+use palkki_evidence::random::{self, Random, sample_of};
 
 use crate::scenes::on_supports;
 
@@ -221,9 +221,9 @@ fn on_springs(seed: u64) -> Option<Scene> {
 /// None that is not exact is.
 #[test]
 fn random_scenes_are_certified() {
-    const SCENES: usize = 2_000;
+    let scenes = sample_of(2_000);
     let (mut tried, mut refused) = (0, Vec::new());
-    for (seed, scene) in (0..).filter_map(|seed| Some((seed, on_springs(seed)?))).take(SCENES) {
+    for (seed, scene) in (0..).filter_map(|seed| Some((seed, on_springs(seed)?))).take(scenes) {
         tried += 1;
         let solution = solve_exactly(&scene).expect("an answer");
         let Solution { state, verdict, .. } = &solution;
@@ -248,8 +248,8 @@ fn random_scenes_are_certified() {
             state.energy
         );
     }
-    assert_eq!(tried, SCENES);
-    assert!(500 * refused.len() <= SCENES, "{}: {refused:#?}", refused.len());
+    assert_eq!(tried, scenes);
+    assert!(500 * refused.len() <= scenes, "{}: {refused:#?}", refused.len());
 }
 
 /// Verdict and bounds are the same, however long a unit of length is, from 1e-30 to 1e+30: of powers of two to the last bit. Beyond, the
@@ -331,13 +331,13 @@ fn rigid_ground_is_asked_for_by_name() {
 /// By the depth of the ground, both stiffnesses, loads and levels.
 #[test]
 fn derivatives_agree_with_differences() {
-    const COUNT: usize = 60;
+    let count = sample_of(60);
     let mut trial = Trial::default();
-    for (i, scene) in (0..).filter_map(on_springs).take(COUNT).enumerate() {
+    for (i, scene) in (0..).filter_map(on_springs).take(count).enumerate() {
         trial.compare(&format!("scene {i}"), &scene);
     }
     assert!(trial.wrong.is_empty(), "{:#?}", trial.wrong);
-    assert!(COUNT - 2 <= trial.scenes && 6 * COUNT <= trial.both, "{trial:?}");
+    assert!(count - 2 <= trial.scenes && 6 * count <= trial.both, "{trial:?}");
 }
 
 /// A free body whose resultant is above the end of ground that gives has no position of rest.

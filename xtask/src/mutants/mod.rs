@@ -345,7 +345,7 @@ impl Test {
 
 fn program(path: &Path, tree: &Path, mutant: usize) -> Command {
     let mut command = Command::new(path);
-    command.current_dir(tree).env(SWITCH, mutant.to_string()).env("INSTA_UPDATE", "no");
+    command.current_dir(tree).env(SWITCH, mutant.to_string()).env("INSTA_UPDATE", "no").env("PALKKI_DRAW", "all");
     command
 }
 

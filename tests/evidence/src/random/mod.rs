@@ -10,6 +10,8 @@ pub use held::held;
 pub use population::Family;
 pub use scenes::{on_lattice, rough, scene, smooth};
 
+use std::ops::Div;
+
 use palkki::scene::Scene;
 
 /// The generator SplitMix64 (Steele, Lea and Flood 2014).
@@ -55,6 +57,14 @@ impl Random {
     pub fn once_in(&mut self, count: usize) -> bool {
         self.below(count) == 0
     }
+}
+
+/// How many of so many random scenes the suite draws: the first quarter, for somebody who waits for it, and all where the variable
+/// `PALKKI_DRAW` is `all`, as in `.ci/run`.
+#[must_use]
+pub fn sample_of<Count: Div<Output = Count> + From<u8>>(all: Count) -> Count {
+    let draws_all = std::env::var_os("PALKKI_DRAW").is_some_and(|wish| wish == "all");
+    all / Count::from(if draws_all { 1 } else { 4 })
 }
 
 /// The first scene of the attempts with the numbers of a seed: those may be refused.
