@@ -3,9 +3,12 @@
 //! The counts of our own routes are a table, integer by integer: who changes a solver sees what it does to them. Those of the
 //! libraries are theirs, so they have a range.
 
+use palkki::adaptive::{Request, adapt};
 use palkki::route::{Method, Solver};
-use palkki::{Settings, Witness, solve_raw, solve_raw_near};
+use palkki::scene::{Grid, Scene};
+use palkki::{Settings, Witness, solve_raw, solve_raw_near, theory};
 use palkki_evidence::extremes::{Ground, survey};
+use palkki_evidence::random;
 
 use crate::scenes::{example, run, scene};
 use crate::support::assert_table;
@@ -41,6 +44,62 @@ fn the_counts_of_our_own_routes() {
     }
     table.push('\n');
     assert_table!("costs", "Solves of the active set and the four steps, sweeps of NSOR", table);
+}
+
+/// Random ground of stiffnesses from 1 to 10⁸.
+fn soft(i: u64) -> Scene {
+    let stiffness = 10.0_f64.powi(i32::try_from(i % 9).unwrap_or(0));
+    random::scene(i).on_springs(stiffness).expect("positive")
+}
+
+/// What searches take on random scenes, in sums: who changes where a search begins or what it tries sees it here, also where it finds
+/// the same as before.
+#[test]
+fn the_counts_of_searches_on_random_scenes() {
+    const SCENES: u64 = 40;
+    /// The least grid of a scene; its supports may ask for a finer one.
+    const INTERVALS: usize = 100;
+    /// Supports at places of many digits ask for grids that take too long.
+    const MOST: usize = 1000;
+    let kinds: [(&str, fn(u64) -> Scene); 6] = [
+        ("plain", random::scene),
+        ("lattice", random::on_lattice),
+        ("held", random::held),
+        ("coinciding", random::coinciding),
+        ("rough", random::rough),
+        ("soft", soft),
+    ];
+    let columns = ["lists", "steps", "work", "solves", "unknowns", "adapted"];
+    let mut table = format!("{:<12}", "scenes");
+    table.extend(columns.map(|column| format!("{column:>12}")));
+    for (kind, scene) in kinds {
+        let mut sums = [0_u64; 6];
+        let mut add = |k: usize, count: usize| sums[k] += count as u64;
+        for scene in (0..SCENES).map(scene) {
+            let Ok(exact) = theory::solve(&scene) else { continue };
+            add(0, exact.lists);
+            add(1, exact.iterations);
+            add(2, usize::try_from(exact.work()).expect("a count"));
+            let Some(step) = Grid::least_fitting(&scene).filter(|step| *step <= MOST) else { continue };
+            for method in Method::ALL {
+                let settings = Settings::new(method, Solver::ActiveSet, step * INTERVALS.div_ceil(step));
+                let Ok(raw) = solve_raw(&scene, &settings) else { continue };
+                add(3, raw.run.iterations);
+                add(4, raw.run.work);
+            }
+            let Ok(adapted) = adapt(&scene, &Request::new(Method::Force, Solver::ActiveSet, 1e-3)) else { continue };
+            adapted.trials.iter().for_each(|trial| add(5, trial.work));
+        }
+        table.push_str(&format!("\n{kind:<12}"));
+        table.extend(sums.map(|sum| format!("{sum:>12}")));
+    }
+    table.push('\n');
+    assert_table!(
+        "searches",
+        "Sums over 40 random scenes of each kind: of beam theory lists of contacts, Newton steps and what sweeps count; of the active set \
+         solves and the unknowns that they went through, on 100 intervals or a few more, and for an error of a thousandth",
+        table
+    );
 }
 
 /// An interior-point method takes as many steps on a fine grid as on a coarse one.
