@@ -78,21 +78,10 @@ fn the_numbers_of_dependencies_are_right() {
 fn every_direct_dependency_says_what_it_is_for() {
     let manifest = files("Cargo.toml", "").remove("Cargo.toml").unwrap_or_default();
     let section = manifest.split("\n[dependencies]\n").nth(1).and_then(|rest| rest.split("\n[").next());
-    let direct: BTreeSet<String> = section
-        .unwrap_or_default()
-        .lines()
-        .filter_map(|line| line.split_once(" = "))
-        .filter(|(name, _)| !name.starts_with('#'))
-        .map(|(name, _)| name.to_owned())
-        .collect();
-    let text = architecture();
-    let table = text.split("\n## Dependencies\n").nth(1).and_then(|rest| rest.split("\n## ").next());
-    let explained: BTreeSet<String> = table
-        .unwrap_or_default()
-        .lines()
-        .filter_map(|line| line.strip_prefix("| `")?.split_once('`'))
-        .map(|(name, _)| name.to_owned())
-        .collect();
-    assert!(5 < direct.len(), "Cargo.toml was read: {direct:?}");
-    assert_eq!(direct, explained, "dependencies of Cargo.toml, and those that ARCHITECTURE.md explains");
+    let lines: Vec<&str> = section.unwrap_or_default().lines().collect();
+    let direct = || (0..lines.len()).filter(|&i| lines[i].contains(" = ") && !lines[i].starts_with('#'));
+    assert!(5 < direct().count(), "Cargo.toml was read: {lines:?}");
+    let is_explained = |i: usize| i.checked_sub(1).is_some_and(|above| lines[above].starts_with("# "));
+    let found: Vec<String> = direct().filter(|&i| !is_explained(i)).map(|i| lines[i].to_owned()).collect();
+    none(&found, "a dependency has a comment that says what it is for");
 }

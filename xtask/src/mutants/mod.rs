@@ -364,6 +364,9 @@ fn killer(tests: &[Test], tree: &Path, mutant: usize) -> Result<Option<String>, 
 /// The first of some tests of a program to fail.
 fn first_to_fail(mut program: Command, tests: &[&Test]) -> Result<Option<String>, Cause> {
     program.arg("--exact").args(tests.iter().map(|test| &test.name)).stdout(Stdio::piped()).stderr(Stdio::null());
+    // With the commands that a test starts: none of them goes on without it.
+    #[cfg(unix)]
+    std::os::unix::process::CommandExt::process_group(&mut program, 0);
     let mut child = program.spawn()?;
     let output = BufReader::new(child.stdout.take().ok_or("no output")?);
     let (send, lines) = channel();
@@ -384,6 +387,8 @@ fn first_to_fail(mut program: Command, tests: &[&Test]) -> Result<Option<String>
             }
         }
     };
+    #[cfg(unix)]
+    Command::new("kill").args(["-KILL", "--", &format!("-{}", child.id())]).stderr(Stdio::null()).status()?;
     child.kill()?;
     child.wait()?;
     Ok(Some(killer))
