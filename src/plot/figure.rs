@@ -242,7 +242,9 @@ fn escaped(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Align, Figure, PlotError, Type, document, group};
+    use std::collections::BTreeSet;
+
+    use super::{Align, Figure, PlotError, Type, Words, document, group};
     use crate::plot::{Axis, Color, Dash, Panel, Style};
 
     #[test]
@@ -261,6 +263,15 @@ mod tests {
         assert_eq!(lines.expect("two lines"), format!("<g id=\"a\">\n{path}\n</g>\n"), "one path");
         let text = group("id=\"a\"", |canvas| canvas.text("t", [0.0, 0.0], Align::Left, Type::PLAIN));
         assert!(text.expect("a text").ends_with(">t</text>\n</g>\n"), "a line with its tags");
+    }
+
+    #[test]
+    fn more_than_eight_notes_stand_in_two_columns() {
+        for (count, columns) in [(1, 1), (8, 1), (9, 2)] {
+            let notes = Words::notes(&vec!["1 at the left end".to_owned(); count], 0.0);
+            let lefts: BTreeSet<String> = notes.iter().map(|note| format!("{:?}", note.lines[0].1[0])).collect();
+            assert_eq!(lefts.len(), columns, "{count} notes: {lefts:?}");
+        }
     }
 
     #[test]

@@ -1,9 +1,9 @@
 //! What is given: forces as they are read, and which condition they violate, against closed forms.
 
 use palkki::certificate::{ContactLoad, NotAForce, Violation, ViolationKind, violations};
-use palkki::scene::Foundation;
+use palkki::scene::{Foundation, Support};
 
-use crate::scenes::uniform;
+use crate::scenes::{on_supports, uniform};
 
 const LENGTH: f64 = 20.0;
 const STIFFNESS: f64 = 70.0;
@@ -111,4 +111,21 @@ fn a_pull_is_measured_by_all_forces_and_is_not_there_for_the_beam() {
     let [penetration, pull] = [(most - 0.4) / most, 2.0 / 13.0];
     let both = [(ViolationKind::Penetration, 10.0, most - 0.4, penetration), (ViolationKind::Tension, 4.0, 2.0, pull)];
     check(0.4, &forces, &both);
+}
+
+/// On one hinge, at 4 of 20, the resultant `3 · 20` at 10 is held by `60 · 6/12` at 16: of a force more there `12/20` is not in balance.
+#[test]
+fn forces_on_a_beam_with_one_hinge_are_in_balance_about_it() {
+    let ground = Some(Foundation::Flat { depth: 0.5 });
+    let scene = on_supports([LENGTH, STIFFNESS], &[Support::simple(4.0)], (LOAD, &[]), ground);
+    for (force, expected) in [(30.0, None), (31.0, Some(0.6))] {
+        let found = violations(&scene, &load(&[(16.0, force)])).expect("the scene can be scaled");
+        let balance = found.into_iter().find(|violation| violation.kind == ViolationKind::Balance);
+        assert_eq!(balance.is_some(), expected.is_some(), "{force}: {balance:?}");
+        for (Violation { at, amount, relative, .. }, expected) in balance.iter().zip(expected) {
+            for (number, expected) in [(*at, 10.0), (*amount, expected), (*relative, expected / 60.0)] {
+                assert!((number - expected).abs() <= ROUNDING * expected, "{number}, not {expected}");
+            }
+        }
+    }
 }

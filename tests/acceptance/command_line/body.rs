@@ -75,6 +75,25 @@ fn a_sparse_form_is_whole() {
     assert!(read("bounds.csv").ends_with("14,0.0,inf\n"));
 }
 
+/// On ground that gives the programs of clearances have what the springs are pressed by as variables besides, and say so.
+#[test]
+fn a_sparse_form_names_its_springs() {
+    let folder = Folder::new("body_sparse_soft");
+    let soft = folder.read("ridge.toml").replace("[foundation]\n", "[foundation]\nstiffness = 50.0\n");
+    folder.write("soft.toml", soft);
+    for method in ["complementarity", "displacement", "force"] {
+        let command = format!("export soft.toml --method {method} --intervals 8 --form sparse --to {method}");
+        assert_eq!(folder.run(&command).code, Some(0));
+        let names = folder.read(&format!("{method}/names.csv"));
+        let matrix = folder.read(&format!("{method}/P.mtx"));
+        let variables = names.lines().count() - 1;
+        let size = format!("{variables} {variables} ");
+        assert!(matrix.lines().nth(1).is_some_and(|line| line.starts_with(&size)), "{method}: {matrix}");
+        let springs = names.lines().filter(|name| name.contains("penetration at")).count();
+        assert_eq!(springs, if method == "force" { 0 } else { 7 }, "{method}: {names}");
+    }
+}
+
 /// Six freedoms of the five-diagonal matrix: three are lifted off by 1, one just touches, two are pressed by 1.
 pub(super) fn known(folder: &Folder) {
     folder.write(

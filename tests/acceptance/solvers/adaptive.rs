@@ -49,6 +49,20 @@ fn what_is_demanded_is_reached_by_the_other_solvers() {
     }
 }
 
+/// The first tolerance follows from the demand where a solver stops at one.
+#[test]
+fn solvers_that_iterate_are_asked_for_what_is_demanded() {
+    let first = |solver, error| {
+        let scene = scenes::scene("heinisuo-1984");
+        adapt(&scene, &Request::new(Method::Displacement, solver, error)).expect("in range").trials[0].tolerance
+    };
+    for solver in Solver::ALL {
+        let iterates = matches!(solver, Solver::Clarabel | Solver::Osqp | Solver::Nsor);
+        let [loose, tight] = [1e-1, 1e-2].map(|error| first(solver, error));
+        assert_eq!(tight < loose, iterates, "{solver}: {loose:e} and {tight:e}");
+    }
+}
+
 /// An iterative solver is asked for no more than is of use.
 #[test]
 fn a_loose_demand_is_cheaper() {

@@ -7,8 +7,9 @@ use palkki::adaptive::{Request, adapt};
 use palkki::route::{Method, Solver};
 use palkki::scene::{Grid, Scene};
 use palkki::{Settings, Witness, solve_raw, solve_raw_near, theory};
+use palkki_evidence::bodies::{five_diagonal, whole};
 use palkki_evidence::extremes::{Ground, survey};
-use palkki_evidence::random;
+use palkki_evidence::random::{self, Random};
 
 use crate::scenes::{example, run, scene};
 use crate::support::assert_table;
@@ -93,11 +94,19 @@ fn the_counts_of_searches_on_random_scenes() {
         table.push_str(&format!("\n{kind:<12}"));
         table.extend(sums.map(|sum| format!("{sum:>12}")));
     }
+    let mut random = Random::new(2026);
+    let drawn = std::iter::repeat_with(|| whole(&mut random, 8)).flatten().take(40);
+    let [mut solves, mut unknowns] = [0; 2];
+    for known in drawn.chain([five_diagonal(1000)]) {
+        let run = known.body.run(Solver::ActiveSet, 0.0).run;
+        (solves, unknowns) = (solves + run.iterations, unknowns + run.work);
+    }
+    table.push_str(&format!("\n{:<12}{:>36}{solves:>12}{unknowns:>12}", "bodies", ""));
     table.push('\n');
     assert_table!(
         "searches",
         "Sums over 40 random scenes of each kind: of beam theory lists of contacts, Newton steps and what sweeps count; of the active set \
-         solves and the unknowns that they went through, on 100 intervals or a few more, and for an error of a thousandth",
+         solves and the unknowns that they went through, on 100 intervals or a few more and for 41 bodies, and for an error of a thousandth",
         table
     );
 }

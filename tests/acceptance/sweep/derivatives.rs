@@ -3,6 +3,7 @@
 use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Quantity, Scene, Support};
 use palkki::theory::{self, By, Missing};
 use palkki_evidence::differences::Trial;
+use palkki_evidence::draft::{Draft, Units};
 use palkki_evidence::random;
 
 use crate::scenes::{ends, on_supports};
@@ -30,6 +31,27 @@ fn at_a_change_that_is_rounded_derivatives_are_one_sided() {
         for derivative in exact.derivatives(&scene) {
             let bends = matches!(derivative.by, By::Depth | By::Number(Quantity::SupportLevel(_) | Quantity::Uniform));
             assert!(derivative.one_sided || !bends, "{k}: {derivative:?}");
+        }
+    }
+}
+
+/// Whether a beam lies along the ground without pressing on it, as one without weight does beyond its contact, is asked in no unit: what is
+/// one-sided or missing is the same however large a unit of depth is.
+#[test]
+fn units_of_depth_change_no_kind_of_derivative() {
+    let flat = Some(Foundation::Flat { depth: 0.5 });
+    let lying = on_supports([10.0, 2.0], &[], (0.0, &[(5.0, 1.0)]), flat);
+    for scene in std::iter::once(lying).chain((0..12).map(random::held)) {
+        let draft = Draft::from(&scene);
+        let kinds = |power: i32| {
+            let units = Units { depth: 2.0_f64.powi(power), ..Units::SAME };
+            let scene = draft.in_units(units).scene().expect("in range");
+            let Ok(exact) = theory::solve(&scene) else { return Vec::new() };
+            exact.derivatives(&scene).iter().map(|of| (of.by, of.one_sided, of.missing)).collect()
+        };
+        let expected = kinds(0);
+        for power in [-40, 40] {
+            assert_eq!(kinds(power), expected, "2^{power}: {}", draft.text());
         }
     }
 }

@@ -40,6 +40,25 @@ fn two_axles_on_one_span_have_the_moment_of_the_textbook() {
     }
 }
 
+/// A force that rolls over one span: the influence lines of the textbook, `P x (l − x)/l` for the moment, `P (l − x)/l` and `−P x/l` for the
+/// shear force. There is a row at each place.
+#[test]
+fn one_axle_on_one_span_has_the_envelope_of_the_textbook() {
+    let (l, force) = (10.0, 80.0);
+    let scene = axles(l, &[0.0, l], None, &[(0.0, force)]);
+    let places = envelope(&scene, PATHS[0], l, 2).x.len();
+    let found = envelope(&scene, PATHS[0], l, places);
+    let listed = found.moment_max.iter().zip(&found.moment_min).zip(found.shear_max.iter().zip(&found.shear_min));
+    // A force on a support shears nothing.
+    let inside = found.x.iter().zip(listed).filter(|(x, _)| 0.0 < **x && **x < l);
+    for (x, ((moment_max, moment_min), (shear_max, shear_min))) in inside {
+        let expected = [force * x * (l - x) / l, 0.0, force * (l - x) / l, -force * x / l];
+        for (found, expected) in [moment_max, moment_min, shear_max, shear_min].into_iter().zip(expected) {
+            assert!((found - expected).abs() <= 1e-11 * force * l, "{x}: {found}, not {expected}");
+        }
+    }
+}
+
 /// Largest and smallest moment and the forces of the supports at a position.
 fn extremes(sweep: &Sweep<'_>, value: f64) -> Vec<[f64; 2]> {
     let state = theory::solve(&sweep.scene(value).expect("a scene")).expect("an answer").state;
