@@ -134,30 +134,24 @@ impl<'a> Canvas<'a> {
         done(self.backend.draw_circle(pixel(at)?, radius, &style, style.filled))
     }
 
-    /// An arrow from `tail` to `tip`; its head never is longer than the arrow.
+    /// A vertical arrow at `x` from `tail` to `tip`; its head never is longer than the arrow.
     pub(super) fn arrow(
         &mut self,
-        tail: Point,
-        tip: Point,
+        x: f64,
+        [tail, tip]: [f64; 2],
         color: Color,
         width: u32,
         dash: Dash,
     ) -> Result<(), PlotError> {
-        let (dx, dy) = (tip[0] - tail[0], tip[1] - tail[1]);
-        let length = (dx * dx + dy * dy).sqrt();
+        let length = (tip - tail).abs();
         if length < 1.0 {
             return Ok(());
         }
         let head = (4.5 * f64::from(width) + 6.0).min(length);
-        let (ex, ey) = (dx / length, dy / length);
-        let neck = [tip[0] - ex * head, tip[1] - ey * head];
-        let side = 0.38 * head;
-        self.line(&[tail, neck], color, width, dash)?;
-        self.fill(
-            &[tip, [neck[0] - ey * side, neck[1] + ex * side], [neck[0] + ey * side, neck[1] - ex * side]],
-            color,
-            1.0,
-        )
+        let down = (tip - tail).signum();
+        let (neck, side) = (tip - down * head, down * 0.38 * head);
+        self.line(&[[x, tail], [x, neck]], color, width, dash)?;
+        self.fill(&[[x, tip], [x - side, neck], [x + side, neck]], color, 1.0)
     }
 
     /// Words on one line, centred across it at `at`.

@@ -89,7 +89,7 @@ fn arrows(canvas: &mut Canvas, layer: &Arrows, axes: &Axes, labels: &mut Labels)
         }
         let tail = axes.place(arrow.at);
         let tip = [tail[0], tail[1] + axes.length(force)];
-        canvas.arrow(tail, tip, layer.color, SHAFT, layer.dash)?;
+        canvas.arrow(tip[0], [tail[1], tip[1]], layer.color, SHAFT, layer.dash)?;
         labels.avoid(sampled(&[tail, tip], INK));
         let label = Label::new(&arrow.text, tip, layer.color);
         labels.ask(Label { optional: arrow.optional, below: force < 0.0, ..label });
@@ -278,7 +278,7 @@ fn distributed(canvas: &mut Canvas, sketch: &LoadSketch, axes: &Axes, labels: &m
             while x < to {
                 let height = y + (to_y - y) * (x - from) / (to - from);
                 if 20.0 < (height - base).abs() {
-                    canvas.arrow([x, height], [x, base], Color::BLUE, 3, Dash::Solid)?;
+                    canvas.arrow(x, [height, base], Color::BLUE, 3, Dash::Solid)?;
                     labels.avoid(sampled(&[[x, height], [x, base]], INK));
                 }
                 x += APART;
@@ -305,8 +305,8 @@ fn point_loads(canvas: &mut Canvas, sketch: &LoadSketch, axes: &Axes, labels: &m
         let length = (POINT * (force.abs() / greatest)).max(SHORTEST);
         let x = axes.x.place(*x);
         let (near, far) = ([x, beam - 6.0], [x, beam - 6.0 - length]);
-        let (tail, tip) = if 0.0 < *force { (far, near) } else { (near, far) };
-        canvas.arrow(tail, tip, Color::BLACK, SHAFT, Dash::Solid)?;
+        let ends = if 0.0 < *force { [far[1], near[1]] } else { [near[1], far[1]] };
+        canvas.arrow(x, ends, Color::BLACK, SHAFT, Dash::Solid)?;
         labels.avoid(sampled(&[near, far], INK));
         labels.ask(Label::new(text, far, Color::BLACK));
     }

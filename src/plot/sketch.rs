@@ -168,7 +168,24 @@ pub(super) fn with_unit(value: f64, unit: &Option<String>) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::cut;
+    use super::{SupportKind, cut, support_marks};
+    use crate::plot::Layer;
+    use crate::scene::{Beam, Load, Scene, Support};
+
+    #[test]
+    fn walls_close_the_ends_of_a_beam() {
+        let supports = [0.0, 4.0, 10.0].map(Support::built_in).to_vec();
+        let beam = Beam::new(10.0, 1.0).and_then(|beam| beam.with_supports(supports)).expect("a beam");
+        let load = Load::uniform_on(&beam, 1.0).expect("a load");
+        let Layer::Supports(marks) = support_marks(&Scene::new(beam, load, None).expect("a scene")) else {
+            panic!("no supports")
+        };
+        let ends = marks.iter().map(|mark| match mark.kind {
+            SupportKind::BuiltIn { ends } => ends,
+            _ => panic!("{mark:?}"),
+        });
+        assert_eq!(ends.collect::<Vec<_>>(), [[true, false], [false; 2], [false, true]]);
+    }
 
     #[test]
     fn a_pit_is_cut_out_where_it_is_too_deep() {

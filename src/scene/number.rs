@@ -323,6 +323,15 @@ mod tests {
         }
     }
 
+    /// Of twenty letters eight may be others, and not nine.
+    #[test]
+    fn a_path_with_two_fifths_of_its_letters_wrong_is_understood() {
+        let scene = scene().on_springs(3.0).expect("ground");
+        let told = |path: &str| scene.quantity(path).expect_err("no number").to_string();
+        assert!(told("foundation.sxxxxxxxx").contains("did you mean `foundation.stiffness`?"));
+        assert!(!told("foundation.xxxxxxxxx").contains("did you mean"));
+    }
+
     /// Indices of supports are those of the file, and stay so when one support moves past another.
     #[test]
     fn supports_are_counted_as_in_the_file() {

@@ -95,6 +95,22 @@ fn a_support_that_settles_begins_to_pull_where_its_force_vanishes() {
     assert_eq!(found[0].what, expected);
 }
 
+/// Ground that is level with the one support on its right side alone: where the left end is lifted the beam is pressed onto the ground
+/// beside the support, which keeps its slope, until nothing lifts any more.
+#[test]
+fn ground_beside_a_support_holds_the_slope_of_a_lifted_beam() {
+    let ground = Foundation::Polyline { points: vec![[0.0, 1.5], [3.0, 0.5], [8.0, 0.5]] };
+    let support = Support::simple(3.0).at_level(0.5);
+    let scene = on_supports([8.0, 2.0], &[support], (0.0, &[(0.0, -1.0), (8.0, 0.5)]), Some(ground));
+    for (range, word) in [([-3.0, 3.0], "ceases"), ([3.0, -3.0], "begins")] {
+        let found = events(&scene, "load.point[0].force", range, 5);
+        let held = format!("the ground {word} to hold the slope of the beam at the support at x = 3");
+        let event = found.iter().find(|event| event.what.contains(&held)).unwrap_or_else(|| panic!("{found:?}"));
+        assert!(event.value.abs() <= 1e-12, "{event:?}");
+        assert!(event.what.contains(&format!("the support at x = 3 {word} to pull the beam down")), "{event:?}");
+    }
+}
+
 /// A load that is taken off and turned round splits the zone below it, just where it vanishes.
 #[test]
 fn a_load_history_splits_a_zone_where_the_load_begins_to_pull() {

@@ -49,6 +49,10 @@ fn too_many_waves_are_refused() {
     let error = solve(&uniform(1.0, 1.0, 1.0, waves)).expect_err("too short");
     assert!(matches!(error, TheoryError::TooManyPieces { .. }));
     insta::assert_snapshot!(error, @"`foundation.cosine.wavelength` must be at least 0.0004 for an exact solution, but is 0.000000001");
+    // Eight cells for each wave.
+    let waves = |wavelength| Foundation::Cosine { mean: 1.0, amplitude: 1.0, wavelength, phase: 0.0 };
+    let error = solve(&uniform(12.0, 1.0, 1.0, waves(0.0047))).expect_err("too short");
+    assert!(error.to_string().contains("must be at least 0.0048 for"), "{error}");
 }
 
 #[test]
