@@ -157,6 +157,13 @@ fn parted(points: &[[f64; 2]], guess: usize, is_before: impl Fn(&[f64; 2]) -> bo
 mod tests {
     use super::*;
 
+    /// At the end of the series: `1 − 2 sin ½` to twenty digits.
+    #[test]
+    fn what_a_sine_lacks_has_all_its_digits() {
+        const LACK: f64 = 0.041_148_922_791_593_999_45;
+        assert!((lack(0.5) / LACK - 1.0).abs() <= 4.0 * f64::EPSILON, "{}", lack(0.5));
+    }
+
     /// Against the definition, on chords so long that it loses few digits.
     #[test]
     fn every_kind_bends_as_its_depths_do() {

@@ -159,35 +159,12 @@ impl Grid {
     /// at each end.
     #[must_use]
     pub fn nodal_loads(&self, load: &Load) -> Vec<f64> {
-        let mut forces = vec![2.0 * self.half(load); self.intervals + 1];
-        self.add_uneven(load, 0, &mut forces);
-        forces
-    }
-
-    /// The same at the nodes `first, first + 1, …`, as many as there is room for.
-    pub fn loads(&self, load: &Load, first: usize, forces: &mut [f64]) {
-        forces.fill(2.0 * self.half(load));
-        self.add_uneven(load, first, forces);
-    }
-
-    /// Half of what an interval carries of the uniform load.
-    fn half(&self, load: &Load) -> f64 {
-        0.5 * load.uniform() * self.spacing()
-    }
-
-    /// Adds everything else to the uniform load of inner nodes; an end has half of that.
-    fn add_uneven(&self, load: &Load, first: usize, forces: &mut [f64]) {
-        let behind = first + forces.len();
-        let mut add = |node: usize, force: f64| {
-            if (first..behind).contains(&node) {
-                forces[node - first] += force;
-            }
-        };
-        add(0, -self.half(load));
-        add(self.intervals, -self.half(load));
+        let half = 0.5 * load.uniform() * self.spacing();
+        let mut forces = vec![2.0 * half; self.intervals + 1];
+        forces[0] -= half;
+        forces[self.intervals] -= half;
         for part in load.linear() {
-            let (from, to) = (self.interval_of(part.from), self.interval_of(part.to));
-            for i in from.max(first.saturating_sub(1))..behind.min(to + 1) {
+            for i in self.interval_of(part.from)..=self.interval_of(part.to) {
                 let (left, right) = (self.place(i), self.place(i + 1));
                 let (a, b) = (part.from.max(left), part.to.min(right));
                 if a < b {
@@ -196,18 +173,19 @@ impl Grid {
                     // First moment about `a` of a trapezoid.
                     let moment = (start + 2.0 * end) * (b - a) * (b - a) / 6.0;
                     let to_right = (force * (a - left) + moment) / (right - left);
-                    add(i, force - to_right);
-                    add(i + 1, to_right);
+                    forces[i] += force - to_right;
+                    forces[i + 1] += to_right;
                 }
             }
         }
         for part in load.point() {
             let i = self.interval_of(part.at);
             let (left, right) = (self.place(i), self.place(i + 1));
-            let to_right = part.force * ((part.at - left) / (right - left)).clamp(0.0, 1.0);
-            add(i, part.force - to_right);
-            add(i + 1, to_right);
+            let to_right = part.force * ((part.at - left) / (right - left));
+            forces[i] += part.force - to_right;
+            forces[i + 1] += to_right;
         }
+        forces
     }
 
     /// The interval `i`, from node `i` to node `i + 1`, in which `x` lies.

@@ -103,12 +103,12 @@ pub(super) fn sorted(supports: Vec<Support>, length: f64) -> Result<Vec<(usize, 
     sorted.sort_by(|(_, a), (_, b)| a.at.total_cmp(&b.at));
     let least = LEAST_DISTANCE * length;
     if let Some(pair) = sorted.windows(2).find(|pair| pair[1].1.at - pair[0].1.at <= least) {
-        let [(first, first_at), (second, second_at)] = [pair[0], pair[1]].map(|(i, support)| (i, support.at));
-        let (i, value, other) = match first < second {
-            true => (second, second_at, first_at),
-            false => (first, first_at, second_at),
-        };
-        return Err(SceneError::SupportsTooClose { quantity: Quantity::SupportAt(i), value, other, least });
+        // The later one of the file is in the way.
+        let mut both = [pair[0], pair[1]];
+        both.sort_by_key(|(i, _)| *i);
+        let [(_, first), (i, second)] = both;
+        let quantity = Quantity::SupportAt(i);
+        return Err(SceneError::SupportsTooClose { quantity, value: second.at, other: first.at, least });
     }
     Ok(sorted)
 }

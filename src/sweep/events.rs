@@ -37,6 +37,8 @@ pub struct Events {
     pub events: Vec<Event>,
     /// The value up to which events were searched for, where the work was more than allowed.
     pub until: Option<f64>,
+    /// The work that the search took.
+    pub work: u64,
 }
 
 /// Beside an event the scene is solved so far from it, as a share of the range.
@@ -111,8 +113,8 @@ impl Sweep<'_> {
             outside <= BESIDE * (end - start).abs()
         });
         // All that is found is described, whatever work that takes.
-        search.left.set(u64::MAX);
-        Events { events: search.described(roots), until: until.map(within) }
+        let work = work - search.left.replace(u64::MAX);
+        Events { events: search.described(roots), until: until.map(within), work }
     }
 }
 

@@ -75,6 +75,20 @@ fn a_sparse_form_is_whole() {
     assert!(read("bounds.csv").ends_with("14,0.0,inf\n"));
 }
 
+/// Where nothing can be proven of a matrix no answer of any solver is certified, and that is what comes back.
+#[test]
+fn a_comparison_without_a_certified_answer_fails() {
+    let folder = Folder::new("body_unproven");
+    folder.write("K.mtx", "%%MatrixMarket matrix array real general\n2 2\n1\n1\n1\n1.0000000000000002\n");
+    folder.write("load.csv", "i,force\n1,1\n2,-1\n");
+    folder.write("body.toml", "[body]\nstiffness = 'K.mtx'\nload = 'load.csv'\n");
+    for command in ["compare body.toml", "compare body.toml --format json", "solve body.toml"] {
+        assert_eq!(folder.run(command).code, Some(1), "{command}");
+    }
+    let (_, text, _) = folder.json("compare body.toml");
+    assert!(!text.contains("\"certified\""), "{text}");
+}
+
 /// On ground that gives the programs of clearances have what the springs are pressed by as variables besides, and say so.
 #[test]
 fn a_sparse_form_names_its_springs() {

@@ -156,6 +156,7 @@ fn random_scenes_are_solved_on_grids() {
             let raw = run(&scene, method, Solver::ActiveSet, intervals);
             let residual = raw.residual;
             assert!(residual <= CERTIFIED_RESIDUAL, "{seed}, {method}, {intervals}: {residual:e}, {}", raw.ended());
+            assert!(raw.run.reports_success, "{seed}, {method}, {intervals}: {}", raw.ended());
             let verdict = Verdict::of_raw(&raw, &witness, &Demand::default());
             if verdict.status == Status::Certified {
                 let nodes = nodes(&raw);

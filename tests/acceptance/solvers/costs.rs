@@ -6,10 +6,12 @@
 use palkki::adaptive::{Request, adapt};
 use palkki::route::{Method, Solver};
 use palkki::scene::{Grid, Scene};
+use palkki::sweep::Sweep;
 use palkki::{Settings, Witness, solve_raw, solve_raw_near, theory};
 use palkki_evidence::bodies::{five_diagonal, whole};
 use palkki_evidence::extremes::{Ground, survey};
 use palkki_evidence::random::{self, Random};
+use palkki_evidence::sweeps;
 
 use crate::scenes::{example, run, scene};
 use crate::support::assert_table;
@@ -102,10 +104,22 @@ fn the_counts_of_searches_on_random_scenes() {
         (solves, unknowns) = (solves + run.iterations, unknowns + run.work);
     }
     table.push_str(&format!("\n{:<12}{:>36}{solves:>12}{unknowns:>12}", "bodies", ""));
+    let [mut rows, mut events] = [0; 2];
+    for drawn in (0..20).map(sweeps::drawn) {
+        let sweep = Sweep::new(&drawn.scene, &drawn.path, drawn.range, 11).expect("a sweep");
+        let mut walk = sweep.walk();
+        let solved = sweep.values().filter_map(|value| walk.solve(value).ok().map(|step| walk.row(step)));
+        let kinds: Vec<_> = solved.map(|row| (row.value, row.pattern)).collect();
+        rows += walk.work();
+        events += sweep.events_within(&kinds, u64::MAX).work;
+    }
+    for (kind, work) in [("sweeps", rows), ("events", events)] {
+        table.push_str(&format!("\n{kind:<12}{work:>36}"));
+    }
     table.push('\n');
     assert_table!(
         "searches",
-        "Sums over 40 random scenes of each kind: of beam theory lists of contacts, Newton steps and what sweeps count; of the active set \
+        "Sums over 40 random scenes of each kind: of beam theory lists of contacts, Newton steps and what sweeps count, and the latter of 20 sweeps and their events; of the active set \
          solves and the unknowns that they went through, on 100 intervals or a few more and for 41 bodies, and for an error of a thousandth",
         table
     );

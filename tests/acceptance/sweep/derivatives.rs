@@ -35,6 +35,23 @@ fn at_a_change_that_is_rounded_derivatives_are_one_sided() {
     }
 }
 
+/// On ground at the level of its supports a beam without weight lies all along: the ground takes what more of a load there is, and of less
+/// the supports would take a part.
+#[test]
+fn on_ground_without_a_force_derivatives_by_loads_are_one_sided() {
+    let scene = on_supports([10.0, 2.0], &ends(10.0), (0.0, &[(5.0, 1.0)]), Some(Foundation::Flat { depth: 0.0 }));
+    let exact = theory::solve(&scene).expect("an answer");
+    for derivative in exact.derivatives(&scene) {
+        let expected = match derivative.by {
+            By::Number(Quantity::PointForce(0)) => 1.0,
+            By::Number(Quantity::Uniform) => 10.0,
+            _ => continue,
+        };
+        let off = derivative.contacts[0].force - expected;
+        assert!(derivative.one_sided && off.abs() <= 1e-12, "{derivative:?}");
+    }
+}
+
 /// Whether a beam lies along the ground without pressing on it, as one without weight does beyond its contact, is asked in no unit: what is
 /// one-sided or missing is the same however large a unit of depth is.
 #[test]
