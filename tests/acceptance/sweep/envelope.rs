@@ -1,7 +1,7 @@
 //! The envelope of a sweep: what governs, of one load and of several that move together.
 
 use palkki::scene::{Foundation, Scene, Support};
-use palkki::sweep::{Envelope, Sweep, SweepError};
+use palkki::sweep::{Envelope, Gathered, Sweep, SweepError};
 use palkki::theory;
 
 use crate::scenes::on_supports;
@@ -14,15 +14,20 @@ fn axles(length: f64, supports: &[f64], ground: Option<Foundation>, axles: &[(f6
 
 const PATHS: [&str; 2] = ["load.point[0].at", "load.point[0].at,load.point[1].at"];
 
-fn envelope(scene: &Scene, path: &str, to: f64, steps: usize) -> Envelope {
-    let sweep = Sweep::new(scene, path, [0.0, to], steps).expect("a sweep");
+/// All rows of a sweep.
+fn gathered<'a>(sweep: &'a Sweep<'a>) -> Gathered<'a> {
     let (mut walk, mut gathered) = (sweep.walk(), sweep.gathered());
     for value in sweep.values() {
         let step = walk.solve(value).expect("an answer");
         gathered.add(&step);
         walk.row(step);
     }
-    gathered.envelope().expect("there are rows")
+    gathered
+}
+
+fn envelope(scene: &Scene, path: &str, to: f64, steps: usize) -> Envelope {
+    let sweep = Sweep::new(scene, path, [0.0, to], steps).expect("a sweep");
+    gathered(&sweep).envelope().expect("there are rows")
 }
 
 /// Two axles `P` a distance `d` apart on a span `l`: the largest moment is `P (l − d/2)² / (2 l)`, under one of them, which is `d/4`
@@ -112,17 +117,10 @@ fn an_envelope_is_refined_with_the_work_that_is_allowed() {
     let supports: Vec<f64> = (0..40).map(f64::from).collect();
     let scene = axles(39.0, &supports, None, &[(0.0, 100.0)]);
     let sweep = Sweep::new(&scene, PATHS[0], [0.3, 38.9], 12).expect("a sweep");
-    let within = |work: u64| {
-        let (mut walk, mut gathered) = (sweep.walk(), sweep.gathered());
-        for value in sweep.values() {
-            let step = walk.solve(value).expect("an answer");
-            gathered.add(&step);
-            walk.row(step);
-        }
-        let (envelope, enough) = gathered.envelope_within(work);
+    let [(rows, none), (some, few), (all, enough)] = [1, 2_000_000, u64::MAX].map(|work| {
+        let (envelope, enough) = gathered(&sweep).envelope_within(work);
         (envelope.expect("there are rows"), enough)
-    };
-    let [(rows, none), (some, few), (all, enough)] = [1, 2_000_000, u64::MAX].map(within);
+    });
     assert_eq!((none, few, enough), (false, false, true));
     assert_eq!(some.governing, all.governing, "of the moments there is enough");
     let sum = |envelope: &Envelope| envelope.supports.iter().map(|support| support.max - support.min).sum::<f64>();

@@ -3,6 +3,7 @@
 use palkki::scene::{Foundation, Support};
 use palkki::sweep::{Event, Sweep};
 use palkki::theory::{self, Exact};
+use palkki_evidence::random::sample_of;
 
 use crate::scenes::{ends, on_supports};
 
@@ -160,15 +161,15 @@ fn lasts(sweep: &Sweep<'_>, exact: &Exact, value: f64) -> bool {
 #[derive(Debug, Default)]
 struct Seen {
     /// Events with another kind on either side.
-    confirmed: usize,
+    confirmed: u64,
     /// Events at an end of the range, with another kind inside than at the end or beyond it.
-    at_end: usize,
+    at_end: u64,
     /// Events beside which both kinds are the same answer to 12 digits.
     ties: Vec<String>,
     /// Events beside which theory finds no answer from nothing, and the contacts of one farther off are one.
     unsolved: Vec<String>,
     /// Stretches of one kind.
-    quiet: usize,
+    quiet: u64,
 }
 
 /// Events of one sweep, each solved from nothing on both sides of it.
@@ -238,9 +239,12 @@ fn confirm(name: &str, sweep: &Sweep<'_>, [from, to]: [f64; 2], seen: &mut Seen)
 #[test]
 fn events_are_confirmed_from_both_sides() {
     const SCENES: u64 = 30;
+    /// Those with an event that is otherwise.
+    const OTHERWISE: [u64; 2] = [19, 22];
+    let drawn = sample_of(SCENES);
     let part = |first: u64| {
         let mut seen = Seen::default();
-        for i in (first..SCENES).step_by(2) {
+        for i in (first..SCENES).step_by(2).filter(|i| *i < drawn || OTHERWISE.contains(i)) {
             let (scene, paths) = varied(i);
             for (path, from, to) in paths {
                 let sweep = Sweep::new(&scene, &path, [from, to], 9).expect("a sweep");
@@ -259,8 +263,8 @@ fn events_are_confirmed_from_both_sides() {
     assert_eq!([even.unsolved, odd.unsolved].concat(), ["22 load.uniform"]);
     let confirmed = even.confirmed + odd.confirmed;
     let at_end = even.at_end + odd.at_end;
-    assert!(240 < confirmed && at_end < 20, "{confirmed} {at_end}");
-    assert!(390 < even.quiet + odd.quiet, "{} {}", even.quiet, odd.quiet);
+    assert!(8 * drawn < confirmed && at_end < 20, "{confirmed} {at_end}");
+    assert!(13 * drawn < even.quiet + odd.quiet, "{} {}", even.quiet, odd.quiet);
 }
 
 /// A ridge that a load passes: the contact is there for less than a step of the sweep, and is found.
