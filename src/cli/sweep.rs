@@ -88,7 +88,7 @@ impl Swept {
         let (envelope, refined) = gathered.map_or((None, true), |gathered| gathered.envelope_within(work));
         let solved = begin.elapsed().as_secs_f64();
         let kinds: Vec<_> = rows.iter().map(|row| (row.value, row.pattern.clone())).collect();
-        let Events { events, until, .. } = sweep.events_within(&kinds, MOST_WORK);
+        let Events { events, until } = sweep.events_within(&kinds, MOST_WORK);
         let of = sweep.values().len();
         let stopped = (rows.len() < of || until.is_some() || !refined).then_some(Stopped {
             rows: rows.len(),

@@ -188,6 +188,12 @@ impl Grid {
         forces
     }
 
+    /// The same at the nodes `first, first + 1, …`, as many as there is room for; zero behind the last one.
+    pub fn loads(&self, load: &Load, first: usize, forces: &mut [f64]) {
+        let all = self.nodal_loads(load);
+        forces.iter_mut().enumerate().for_each(|(k, force)| *force = all.get(first + k).copied().unwrap_or(0.0));
+    }
+
     /// The interval `i`, from node `i` to node `i + 1`, in which `x` lies.
     #[expect(
         clippy::cast_possible_truncation,

@@ -37,8 +37,6 @@ pub struct Events {
     pub events: Vec<Event>,
     /// The value up to which events were searched for, where the work was more than allowed.
     pub until: Option<f64>,
-    /// The work that the search took.
-    pub work: u64,
 }
 
 /// Beside an event the scene is solved so far from it, as a share of the range.
@@ -100,6 +98,12 @@ impl Sweep<'_> {
     /// The events between rows of which the values and kinds are given, with so much work at the most ([`Exact::work`]).
     #[must_use]
     pub fn events_within(&self, rows: &[(f64, Pattern)], work: u64) -> Events {
+        self.events_and_work(rows, work).0
+    }
+
+    /// The same, and the work that the search took.
+    #[must_use]
+    pub fn events_and_work(&self, rows: &[(f64, Pattern)], work: u64) -> (Events, u64) {
         let search = Search { sweep: self, left: Cell::new(work) };
         let (mut roots, until) = search.all(rows);
         let [start, end] = self.range;
@@ -113,8 +117,8 @@ impl Sweep<'_> {
             outside <= BESIDE * (end - start).abs()
         });
         // All that is found is described, whatever work that takes.
-        let work = work - search.left.replace(u64::MAX);
-        Events { events: search.described(roots), until: until.map(within), work }
+        let taken = work - search.left.replace(u64::MAX);
+        (Events { events: search.described(roots), until: until.map(within) }, taken)
     }
 }
 

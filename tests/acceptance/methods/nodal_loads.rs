@@ -12,6 +12,9 @@ fn resultants(beam: &Beam, load: &Load, intervals: usize) -> (f64, f64) {
     let scene = Scene::new(beam.clone(), load.clone(), None).expect("a scene");
     let grid = Grid::uniform(&scene, intervals).expect("enough intervals");
     let forces = grid.nodal_loads(load);
+    let mut few = [f64::NAN; 4];
+    grid.loads(load, intervals - 1, &mut few);
+    assert_eq!(few, [forces[intervals - 1], forces[intervals], 0.0, 0.0], "the last two nodes, and none behind");
     assert_eq!(forces.len(), intervals + 1, "a load on every node");
     (forces.iter().sum(), forces.iter().enumerate().map(|(i, f)| f * grid.place(i)).sum())
 }

@@ -111,7 +111,7 @@ fn the_counts_of_searches_on_random_scenes() {
         let solved = sweep.values().filter_map(|value| walk.solve(value).ok().map(|step| walk.row(step)));
         let kinds: Vec<_> = solved.map(|row| (row.value, row.pattern)).collect();
         rows += walk.work();
-        events += sweep.events_within(&kinds, u64::MAX).work;
+        events += sweep.events_and_work(&kinds, u64::MAX).1;
     }
     for (kind, work) in [("sweeps", rows), ("events", events)] {
         table.push_str(&format!("\n{kind:<12}{work:>36}"));
