@@ -266,13 +266,6 @@ impl Discrete {
         size(&self.profile) + size(&self.shape)
     }
 
-    /// Whether the gap is a smooth function.
-    pub(super) fn is_smooth(&self) -> bool {
-        let kinked =
-            |profile: &Option<Arc<Foundation>>| matches!(profile.as_deref(), Some(Foundation::Polyline { .. }));
-        self.profile.is_some() && !kinked(&self.profile) && !kinked(&self.shape)
-    }
-
     /// The same beam on other supports, above ground that is known at the nodes only, and under other loads.
     fn changed(&self, supports: Supports, depths: Vec<f64>, loads: Vec<f64>) -> Self {
         Self { depths, supports, loads, profile: None, shape: None, simple: false, ..*self }

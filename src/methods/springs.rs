@@ -12,9 +12,6 @@
 //! a chain of [blocks] of two: no digit is lost by elimination, however soft or stiff the springs and however fine the grid.
 //! Eliminating `s` would give five-moment equations, whose condition number grows like `1/κ`. At a support, one that only pushes among them, `κ = ∞`; at the outermost
 //! nodes the moment is known.
-//!
-//! In dense contact on smooth ground, where `a = b = 1`, moments count from those of a beam that follows the ground, `M⁰ = −(EI/Δ²) bend`: on curved ground
-//! contact forces are second differences of moments that are far larger, and would have the rounding of these.
 
 use super::Discrete;
 use super::span::{Span, links};
@@ -46,11 +43,6 @@ pub(super) fn solve(
 ) -> Result<[Vec<f64>; 2], NotPositiveDefinite> {
     let Discrete { spacing, stiffness, .. } = *discrete;
     let (unit, curved) = (spacing * spacing * spacing / stiffness, stiffness / (spacing * spacing));
-    let is_dense =
-        |i: usize| (0 < i && i + 1 < nodes.len()) && nodes[i - 1] + 1 == nodes[i] && nodes[i] + 1 == nodes[i + 1];
-    let following = |i: usize| -curved * discrete.bend(nodes[i - 1], nodes[i], nodes[i + 1]);
-    let smooth = discrete.is_smooth();
-    let follows: Vec<f64> = (0..nodes.len()).map(|i| if smooth && is_dense(i) { following(i) } else { 0.0 }).collect();
     let mut rows = Vec::with_capacity(nodes.len());
     let (mut left, end) = (Span::default(), nodes.len() - 1);
     for (i, &node) in nodes.iter().enumerate() {
@@ -58,19 +50,10 @@ pub(super) fn solve(
         let (a, b) = (left.steps, right.steps);
         let [at_left, at_right] = [a, b].map(|steps| links(discretisation, steps));
         let load = discrete.loads[node] + (left.shares[1] + right.shares[0]);
-        // As moments rise to both sides.
-        let [falls, rises] = [(i.wrapping_sub(1), a), (i + 1, b)].map(|(k, steps)| {
-            follows.get(k).filter(|_| 0.0 < steps).map_or(0.0, |beside| (beside - follows[i]) / steps)
-        });
         let [w, bent, hangs] = if 0 < i && i < end {
             let w = (2.0 * (a + b) + (at_left + at_right)) / 6.0;
-            let bent = if smooth && is_dense(i) {
-                (falls + rises) * (1.0 - at_left) / 6.0
-            } else {
-                let beside = (a - at_left) * follows[i - 1] + (b - at_right) * follows[i + 1];
-                (left.rotations[1] + right.rotations[0] + beside) / 6.0 - following(i)
-            };
-            [w, bent, 0.0]
+            let turned = (left.rotations[1] + right.rotations[0]) / 6.0;
+            [w, turned + curved * discrete.bend(nodes[i - 1], node, nodes[i + 1]), 0.0]
         } else {
             let [moment, force] = outermost[usize::from(0 < i)];
             [PENALTY, -PENALTY * moment, force]
@@ -78,7 +61,7 @@ pub(super) fn solve(
         let is_held = discrete.supports().below(node).is_some();
         let spring = if is_held { PENALTY } else { unit / discrete.give(node) };
         let block = Block::new(if 0.0 < b { 1.0 / b } else { 0.0 }, w, (b - at_right) / 6.0);
-        rows.push(Row { block, spring, right: [-((falls + rises) + (load + hangs)), bent] });
+        rows.push(Row { block, spring, right: [-(load + hangs), bent] });
         left = right;
     }
     blocks::factor(&mut rows, |row| row.spring);
@@ -87,6 +70,6 @@ pub(super) fn solve(
         return Err(NotPositiveDefinite { index, pivot });
     }
     let sunk = |row: &Row| if row.spring < PENALTY { -row.block.step[0] * unit } else { 0.0 };
-    let moments = rows.iter().zip(&follows).map(|(row, follows)| row.block.step[1] + follows);
-    Ok([moments.collect(), rows.iter().map(sunk).collect()])
+    // No zero has a sign.
+    Ok([rows.iter().map(|row| row.block.step[1] + 0.0).collect(), rows.iter().map(sunk).collect()])
 }

@@ -233,3 +233,27 @@ pub(super) fn lowest(given: &PiecewiseScene, span: &Span) -> Option<f64> {
     }
     least
 }
+
+#[cfg(test)]
+mod tests {
+    use super::lowest;
+    use crate::scene::{Beam, Foundation, Load, Scene};
+    use crate::theory;
+
+    /// Above a ridge that the beam nearly touches, on one side of the middle and on the other.
+    #[test]
+    fn the_least_clearance_is_that_of_many_places() {
+        for top in [4.0, 7.5] {
+            let beam = Beam::new(10.0, 130.0).expect("a beam");
+            let load = Load::uniform_on(&beam, 1.0).expect("a load");
+            let points = vec![[0.0, 3.0], [top - 1.0, 2.0], [top, 1.2], [top + 1.0, 2.0], [10.0, 3.0]];
+            let scene = Scene::new(beam, load, Some(Foundation::Polyline { points })).expect("a scene");
+            let exact = theory::solve(&scene).expect("an answer");
+            let [(_, span)] = &exact.spans[..] else { panic!("{:?}", exact.state.contacts) };
+            let least = lowest(&exact.given, span).expect("above ground") * exact.scale.depth;
+            let places = (1..1000).map(|i| exact.clearance(f64::from(i) / 100.0));
+            let expected = places.fold(f64::INFINITY, f64::min);
+            assert!(0.0 < expected && (least - expected).abs() <= 1e-12, "{least}, not {expected}");
+        }
+    }
+}

@@ -97,7 +97,7 @@ fn the_counts_of_searches_on_random_scenes() {
         table.extend(sums.map(|sum| format!("{sum:>12}")));
     }
     let mut random = Random::new(2026);
-    let drawn = std::iter::repeat_with(|| whole(&mut random, 8)).flatten().take(40);
+    let drawn = std::iter::repeat_with(|| whole(&mut random, 23)).flatten().take(40);
     let [mut solves, mut unknowns] = [0; 2];
     for known in drawn.chain([five_diagonal(1000)]) {
         let run = known.body.run(Solver::ActiveSet, 0.0).run;

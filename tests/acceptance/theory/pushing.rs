@@ -1,5 +1,6 @@
 //! Supports that only push, beside closed forms, and beside the same places as the tips of narrow teeth of the ground.
 
+use palkki::certificate::{Judged, certify};
 use palkki::route::Status;
 use palkki::scene::{Balance, Beam, Foundation, Load, PointLoad, Scene, SceneError, Support, Unheld};
 use palkki::state::{ContactState, Motion};
@@ -22,6 +23,27 @@ fn scene(supports: Vec<Support>, uniform: f64, points: &[[f64; 2]], ground: Opti
     let points = points.iter().map(|&[at, force]| PointLoad { at, force }).collect();
     let load = Load::new(&beam, uniform, Vec::new(), points).expect("a load");
     Scene::new(beam, load, ground).expect("a scene")
+}
+
+/// A witness that leaves out a support that pushes, hardly or hard, has brackets that hold: a beam on three supports of which the one in the
+/// middle, with play, carries what the play leaves of `5 q L/4`.
+#[test]
+fn a_witness_without_a_support_that_pushes_proves_nothing_untrue() {
+    let q = 0.8;
+    let most = 5.0 * q * L.powi(4) / (24.0 * EI);
+    let mut bracketed = 0;
+    for share in [1e-12, 1e-9, 1e-6, 1e-3, 0.3] {
+        let supports = vec![Support::simple(0.0), pushing(L, most * (1.0 - share)), Support::simple(2.0 * L)];
+        let said = certify(&scene(supports, q, &[], None), Judged::Witness, &[]).expect("in range");
+        let middle = 1.25 * q * L * share;
+        let ends = q * L - 0.5 * middle;
+        for (bracket, force) in said.reactions.iter().zip([ends, middle, ends]) {
+            let Some([least, most]) = *bracket else { continue };
+            assert!(least <= force && force <= most, "{share:e}: {force} is not in {bracket:?}");
+            bracketed += 1;
+        }
+    }
+    assert!(0 < bracketed);
 }
 
 #[track_caller]
