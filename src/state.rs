@@ -33,6 +33,13 @@ impl SupportForce {
     }
 }
 
+/// Of the moments on both sides of a place the one that is larger in magnitude, and the left one where rounding would decide.
+pub(crate) fn larger_moment([left, right]: [f64; 2]) -> f64 {
+    /// Magnitudes that differ by this share of themselves are one: both are sums of forces times levers.
+    const ALIKE: f64 = 1e-12;
+    if (1.0 + ALIKE) * left.abs() < right.abs() { right } else { left }
+}
+
 /// How a beam stands on the ground that its supports do not hold against turning or moving.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]

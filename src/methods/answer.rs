@@ -11,7 +11,9 @@ use super::{Discrete, program};
 use crate::certificate::least_deflection;
 use crate::qp::Sizes;
 use crate::scene::Grid;
-use crate::state::{Contact, ContactState, Discretisation, Extremes, Nodes, Pressure, Reactions, Regime, SupportForce};
+use crate::state::{
+    Contact, ContactState, Discretisation, Extremes, Nodes, Pressure, Reactions, Regime, SupportForce, larger_moment,
+};
 
 /// Deflections, clearances and contact forces at the nodes: all but supported ends.
 #[derive(Debug, Clone, PartialEq)]
@@ -195,7 +197,7 @@ fn support_forces(
     for support in supports {
         let Some(found) = held.iter().find(|held| held.node == support.node) else { continue };
         let (force, [left, right]) = (found.force, found.moments);
-        let moment = support.held.slope.map(|_| held_beam::larger(left, right));
+        let moment = support.held.slope.map(|_| larger_moment([left, right]));
         let couple = if moment.is_some() { right - left } else { 0.0 };
         forces.push((support.node, SupportForce { at: support.held.at, force, moment, couple, pushes_only: false }));
         energy += 0.5 * ((right - left) * support.held.slope.unwrap_or(0.0) - force * support.held.deflection);

@@ -15,7 +15,7 @@ use super::span::{Span, links};
 use super::{Discrete, statics};
 use crate::memory::zeros;
 use crate::qp::NotPositiveDefinite;
-use crate::state::Discretisation;
+use crate::state::{Discretisation, larger_moment};
 
 /// Rounding of a contact force or a clearance, in units in the last place of the numbers that it is a difference of: a
 /// profile is evaluated, a chord drawn, sums of loads are taken in blocks.
@@ -274,7 +274,7 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
             }
         }
         for (&node, &moment) in self.nodes.iter().zip(&self.moments) {
-            moments[node] = larger(moments[node], moment * spacing);
+            moments[node] = larger_moment([moments[node], moment * spacing]);
         }
         moments
     }
@@ -322,11 +322,6 @@ pub(super) fn on_supports(
 ) -> Result<Beam<'_, impl Fn(usize, usize) -> Span>, NotPositiveDefinite> {
     let span = |first: usize, last: usize| Span::under(&discrete.loads[first + 1..last]);
     ContactSet::at(discrete, std::iter::empty()).beam(discrete, discretisation, span)
-}
-
-/// The one that is larger in magnitude.
-pub(super) fn larger(a: f64, b: f64) -> f64 {
-    if a.abs() < b.abs() { b } else { a }
 }
 
 /// Force and moment of a span at one of its ends.

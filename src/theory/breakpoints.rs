@@ -54,7 +54,7 @@ impl PiecewiseScene {
             load_rule: Gauss::exact_to(if degree.is_some() { profile.saturating_sub(4).max(1) + 3 } else { profile }),
             energy_rule: Gauss::exact_to(if degree.is_some() { (2 * profile).max(6) } else { profile }),
             resultant: load.resultant(length) / stiffness,
-            total_load: load.magnitude(length) / stiffness,
+            total_load: 0.0,
             magnitude: within_reach(foundation, length) + own_size,
             founded: scene.foundation().is_some(),
             bearings: at,
@@ -63,7 +63,7 @@ impl PiecewiseScene {
             tension: Vec::new(),
         };
         given.tension = tension_intervals(&given);
-        given.total_load = load_between_supports(&given).unwrap_or(given.total_load);
+        given.total_load = load_between_supports(&given);
         for i in 0..given.supports.len() {
             let AtSupport { breakpoint, level, slope, tangent, .. } = given.supports[i];
             let Breakpoint { x, kink, .. } = given.breakpoints[breakpoint];
@@ -280,16 +280,16 @@ fn lines_of(points: &[[f64; 2]], length: f64) -> (Vec<Shape>, Vec<Break>) {
     (shapes, breaks.collect())
 }
 
-/// Magnitudes of the loads that do not stand on a support, which say how large forces and moments are; [`None`] without any. One that
-/// stands on a support goes through it, however large it is.
-fn load_between_supports(given: &PiecewiseScene) -> Option<f64> {
+/// Magnitudes of the loads that do not stand on a support, which say how large forces and moments are. One that stands on a support goes
+/// through it, however large it is.
+fn load_between_supports(given: &PiecewiseScene) -> f64 {
     let between = |(i, breakpoint): (usize, &Breakpoint)| given.support_at(i).map_or(breakpoint.force.abs(), |_| 0.0);
     let spread = |cell: &Cell| {
         let width = cell.hi - cell.lo;
         0.5 * width * (cell.load.abs() + (cell.load + width * cell.load_slope).abs())
     };
     let points: f64 = given.breakpoints.iter().enumerate().map(between).sum();
-    Some(points + given.cells.iter().map(spread).sum::<f64>()).filter(|load| 0.0 < *load)
+    points + given.cells.iter().map(spread).sum::<f64>()
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use super::list::List;
 use super::piece::{Piece, derivatives};
 use super::piecewise::PiecewiseScene;
 use super::search::Candidate;
-use crate::state::{Contact, ContactState, Extremes, Reactions, Regime, SupportForce};
+use crate::state::{Contact, ContactState, Extremes, Reactions, Regime, SupportForce, larger_moment};
 
 /// The state of a beam of this bending stiffness.
 pub(super) fn state(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -> ContactState {
@@ -36,7 +36,7 @@ fn supports(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -> Vec<Su
         let support = &given.supports[node.support(given)?];
         // Beside the support, on the side where there is a beam: of both the larger one.
         let [left, right] = *moments;
-        let moment = if left.abs() < right.abs() { right } else { left };
+        let moment = larger_moment(*moments);
         Some(SupportForce {
             at: node.x,
             force: (force + given.breakpoints[support.breakpoint].force) * stiffness,

@@ -5,7 +5,9 @@ use super::bearings::{force, search_with};
 use super::{Part, StretchSet, beside, deepest, part_at};
 use crate::certificate::Stretch;
 use crate::scene::{Quantity, Resultant, Scaled, SceneError, Unheld};
-use crate::state::{Contact, ContactState, Extremes, Pressure, Reactions, Regime, Standing, SupportForce};
+use crate::state::{
+    Contact, ContactState, Extremes, Pressure, Reactions, Regime, Standing, SupportForce, larger_moment,
+};
 use crate::theory::exact::Exact;
 use crate::theory::gauss::Gauss;
 use crate::theory::list::List;
@@ -201,7 +203,7 @@ fn support(given: &PiecewiseScene, parts: &[Part], i: usize, stiffness: f64) -> 
         return SupportForce::pushing(x, force.max(0.0));
     }
     let [left, right] = beside(parts, x);
-    let moment = if left[2].abs() < right[2].abs() { -right[2] } else { -left[2] };
+    let moment = -larger_moment([left[2], right[2]]);
     SupportForce {
         pushes_only: false,
         at: x,

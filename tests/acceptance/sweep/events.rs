@@ -267,6 +267,23 @@ fn events_are_confirmed_from_both_sides() {
     assert!(13 * drawn < even.quiet + odd.quiet, "{} {}", even.quiet, odd.quiet);
 }
 
+/// A contact that is there for two thousandths of the way, between two of the places at which a search looks first: it is found, wherever
+/// the places are. The deflection under the load is `P a² b²/(3 EI l)`.
+#[test]
+fn a_short_contact_between_two_places_is_found() {
+    const HALF: f64 = 1e-3;
+    let (a, b) = (5.0 - HALF, 5.0 + HALF);
+    let ground = Some(Foundation::Flat { depth: 10.0 * a * a * b * b / (3.0 * 100.0 * 10.0) });
+    let scene = on_supports([10.0, 100.0], &ends(10.0), (0.0, &[(5.0, 10.0)]), ground);
+    for to in (0..12).map(|k| 8.0 + 0.09 * f64::from(k)) {
+        let found = events(&scene, "load.point[0].at", [2.0, to], 2);
+        assert_eq!(found.len(), 2, "{to}: {found:?}");
+        for (event, near) in found.iter().zip([a, b]) {
+            assert!((event.value - near).abs() <= HALF, "{to}: {event:?}");
+        }
+    }
+}
+
 /// A ridge that a load passes: the contact is there for less than a step of the sweep, and is found.
 #[test]
 fn what_comes_and_goes_between_two_rows_is_found() {

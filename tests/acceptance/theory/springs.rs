@@ -1,7 +1,7 @@
 //! Ground that gives: closed forms with their derivations, the limit of rigid ground, random scenes.
 
 use palkki::certificate::{Judged, Proof};
-use palkki::route::Status;
+use palkki::route::{Method, Solver, Status};
 use palkki::scene::{Foundation, LinearLoad, Scene, Support};
 use palkki::theory::{Exact, solve};
 use palkki::verdict::Refusal;
@@ -11,7 +11,7 @@ use palkki_evidence::differences::Trial;
 use palkki_evidence::draft::{Draft, Units};
 use palkki_evidence::random::{self, Random, sample_of};
 
-use crate::scenes::on_supports;
+use crate::scenes::{on_supports, run};
 
 /// What is asked for; the elimination loses a digit or two.
 const DIGITS: f64 = 1e-12;
@@ -206,6 +206,23 @@ fn ground_of_every_stiffness_is_solved() {
         let state = &solution.state;
         let carried = state.reactions.left + state.reactions.right + state.contact_force();
         check("equilibrium", carried, 10.0, 10.0);
+    }
+}
+
+/// Beside a support in the middle that the beam is built into moments may be as large on both sides, with different signs: which of them is
+/// told does not depend on whether the ground, which is out of reach, gives.
+#[test]
+fn the_moment_at_a_wall_in_the_middle_is_that_of_rigid_ground() {
+    let points = [(2.0, 1.0), (8.0, -1.0)];
+    let ground = Some(Foundation::Flat { depth: 100.0 });
+    let rigid = on_supports([10.0, 130.0], &[Support::built_in(5.0)], (0.0, &points), ground);
+    let soft = rigid.on_springs(10.0).expect("ground");
+    let of = |scene: &Scene| solve(scene).expect("an answer").state.supports[0].moment.expect("of a wall");
+    check("on rigid ground", of(&rigid), -3.0, 3.0);
+    check("on ground that gives", of(&soft), -3.0, 3.0);
+    for method in Method::ALL {
+        let state = run(&rigid, method, Solver::ActiveSet, 30).state;
+        check("on a grid", state.supports[0].moment.expect("of a wall"), -3.0, 3.0);
     }
 }
 
