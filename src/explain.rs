@@ -324,10 +324,9 @@ fn each_force(scene: &Scene, from: f64, to: f64, mut visit: impl FnMut(f64, f64)
     inside.for_each(|point| visit(point.at, point.force));
     let whole = crate::scene::LinearLoad { from, to, start: load.uniform(), end: load.uniform() };
     for part in load.linear().iter().chain(std::iter::once(&whole)) {
-        let [start, end] = [part.from.max(from), part.to.min(to)];
-        if start < end {
-            rule.points(start, end).for_each(|(x, weight)| visit(x, part.intensity(x) * weight));
-        }
+        // Of a part that is outside nothing is left, with weights of zero.
+        let [start, end] = [part.from, part.to].map(|x| x.max(from).min(to));
+        rule.points(start, end).for_each(|(x, weight)| visit(x, part.intensity(x) * weight));
     }
 }
 

@@ -64,7 +64,8 @@ fn the_counts_of_searches_on_random_scenes() {
     const INTERVALS: usize = 100;
     /// Supports at places of many digits ask for grids that take too long.
     const MOST: usize = 1000;
-    let kinds: [(&str, fn(u64) -> Scene); 6] = [
+    type Draw = fn(u64) -> Scene;
+    let kinds: [(&str, Draw); 6] = [
         ("plain", random::scene),
         ("lattice", random::on_lattice),
         ("held", random::held),
