@@ -66,6 +66,13 @@ fn moment_rounding(scene: &Scene) -> f64 {
     16.0 * f64::EPSILON * scene.load().magnitude(length) * length
 }
 
+/// What the forces of its levels are rounded by, `48 EI v / l³`: those of a beam that is straight between supports add up to this.
+fn force_rounding(scene: &Scene, state: &ContactState) -> f64 {
+    let length = scene.beam().length();
+    let bent = 48.0 * state.deflection.magnitude() / length * scene.beam().bending_stiffness() / length / length;
+    16.0 * f64::EPSILON * bent
+}
+
 /// Rounding of the largest deflection. A beam at rest moves by the rounding of what its loads would do to it, `P l³ / 48 EI`, and of
 /// zero outwards.
 pub(super) fn deflection_rounding(scene: &Scene, state: &ContactState) -> f64 {
@@ -89,7 +96,8 @@ pub(super) fn shares<'a>(
     let forces: Vec<f64> = state.supports.iter().map(|s| (s.force - scene.standing_on(s.at)).abs()).collect();
     let contact = state.contact_force();
     let sum = scene.bending_load().magnitude(scene.beam().length()) + forces.iter().sum::<f64>() + contact;
-    let (largest, rounding) = (forces.into_iter().fold(0.0, f64::max), ROUNDING * sum);
+    let rounding = ROUNDING * sum + force_rounding(scene, state);
+    let largest = forces.into_iter().fold(0.0, f64::max);
     let brackets = state.supports.iter().zip(&certificate.reactions).enumerate();
     let supports = brackets.map(move |(k, (support, bracket))| {
         let last_digits = 4.0 * f64::EPSILON * support.force.abs();

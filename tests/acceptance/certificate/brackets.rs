@@ -266,3 +266,29 @@ fn a_load_on_a_support_hides_no_other_force() {
         }
     }
 }
+
+/// A beam that is straight between two supports and carries nothing but a load on one of them has no other force, and that is certain to
+/// what its levels are rounded by; a force of more than that is refused.
+#[test]
+fn a_straight_beam_has_no_force() {
+    let levels = [[0.1, 0.25], [0.0, 0.25], [0.3, 0.3], [0.7, 0.1]];
+    for (levels, stiffness) in levels.iter().flat_map(|levels| [1e-6, 1.3, 1e9].map(|stiffness| (levels, stiffness))) {
+        for (at, force) in [(0.0, 3.0), (10.0, 3.0), (10.0, -1e-3)] {
+            let [left, right] = *levels;
+            let draft = Draft {
+                length: 10.0,
+                stiffness,
+                ground: Some(Foundation::Flat { depth: 1.0 }),
+                supports: Some(vec![Support::simple(0.0).at_level(left), Support::simple(10.0).at_level(right)]),
+                ..Draft::default()
+            };
+            let scene = draft.with_points(&[(at, force)]).scene().expect("well posed");
+            let (found, verdict) = exact(&scene);
+            assert_eq!(verdict.refusal, None, "{levels:?}, {stiffness}, {force} at {at}");
+            let mut forged = found;
+            forged.state.supports[0].force += (1e-9 * stiffness).max(1e-12);
+            let refusal = Verdict::of_exact(&scene, &forged, &Demand::default()).refusal;
+            assert!(refusal.is_some(), "{levels:?}, {stiffness}, {force} at {at}");
+        }
+    }
+}
