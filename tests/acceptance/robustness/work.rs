@@ -5,7 +5,7 @@ use palkki::route::{Method, Solver};
 use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, Support};
 use palkki::sweep::{MOST_WORK, Sweep};
 use palkki::{Settings, solve_raw, theory};
-use palkki_evidence::random::Random;
+use palkki_evidence::random::{Random, sample_of};
 
 const LENGTH: f64 = 100.0;
 
@@ -21,7 +21,7 @@ fn survey(segments: u32, mut depth: impl FnMut(f64) -> f64) -> Foundation {
     Foundation::Polyline { points: shares.map(|t| [LENGTH * t, depth(t)]).collect() }
 }
 
-/// One scene of each kind: rough and smooth surveys, a thousand waves, 1750 point loads, 301 coefficients, nothing special.
+/// One scene of each kind: rough and smooth surveys, up to a thousand waves, 1750 point loads, 301 coefficients, nothing special.
 fn kinds() -> Vec<(&'static str, Scene)> {
     let turn = std::f64::consts::TAU;
     let mut random = Random::new(13);
@@ -29,7 +29,8 @@ fn kinds() -> Vec<(&'static str, Scene)> {
     let hard = |t: f64| 1.0 - 0.5 * (turn * t).cos() + 0.01 * (30.0 * turn * t).sin();
     let points = (0..1750).map(|_| PointLoad { at: random.between(0.0, LENGTH), force: random.between(-0.5, 2.0) });
     let points: Vec<PointLoad> = points.collect();
-    let waves = |amplitude| Foundation::Cosine { mean: 1.0, amplitude, wavelength: LENGTH / 1000.0, phase: 0.0 };
+    let wavelength = LENGTH / sample_of(1000.0);
+    let waves = |amplitude| Foundation::Cosine { mean: 1.0, amplitude, wavelength, phase: 0.0 };
     let coefficients = (0..=300).map(|j| random.between(0.1, 1.0) / (0.5 * LENGTH).powi(j)).collect();
     vec![
         ("plain", scene(13.0, 1.0, Vec::new(), Foundation::Flat { depth: 1.0 })),

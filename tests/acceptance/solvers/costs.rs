@@ -59,7 +59,7 @@ fn soft(i: u64) -> Scene {
 /// the same as before.
 #[test]
 fn the_counts_of_searches_on_random_scenes() {
-    const SCENES: u64 = 40;
+    const SCENES: u64 = 20;
     /// The least grid of a scene; its supports may ask for a finer one.
     const INTERVALS: usize = 100;
     /// Supports at places of many digits ask for grids that take too long.
@@ -106,7 +106,7 @@ fn the_counts_of_searches_on_random_scenes() {
     }
     table.push_str(&format!("\n{:<12}{:>36}{solves:>12}{unknowns:>12}", "bodies", ""));
     let [mut rows, mut events] = [0; 2];
-    for drawn in (0..20).map(sweeps::drawn) {
+    for drawn in (0..10).map(sweeps::drawn) {
         let sweep = Sweep::new(&drawn.scene, &drawn.path, drawn.range, 11).expect("a sweep");
         let mut walk = sweep.walk();
         let solved = sweep.values().filter_map(|value| walk.solve(value).ok().map(|step| walk.row(step)));
@@ -120,7 +120,7 @@ fn the_counts_of_searches_on_random_scenes() {
     table.push('\n');
     assert_table!(
         "searches",
-        "Sums over 40 random scenes of each kind: of beam theory lists of contacts, Newton steps and what sweeps count, and the latter of 20 sweeps and their events; of the active set \
+        "Sums over 20 random scenes of each kind: of beam theory lists of contacts, Newton steps and what sweeps count, and the latter of 10 sweeps and their events; of the active set \
          solves and the unknowns that they went through, on 100 intervals or a few more and for 41 bodies, and for an error of a thousandth",
         table
     );

@@ -59,8 +59,8 @@ impl Random {
     }
 }
 
-/// How many of so many random scenes the suite draws: the first quarter, for somebody who waits for it, and all where the variable
-/// `PALKKI_DRAW` is `all`, as in `.ci/run`.
+/// How many of so many random scenes, or parts of a scene, the suite draws: the first quarter, for somebody who waits for it, and all
+/// where the variable `PALKKI_DRAW` is `all`, as in `.ci/run`.
 #[must_use]
 pub fn sample_of<Count: Div<Output = Count> + From<u8>>(all: Count) -> Count {
     let draws_all = std::env::var_os("PALKKI_DRAW").is_some_and(|wish| wish == "all");
