@@ -9,7 +9,8 @@ use palkki::solvers::Solver;
 use palkki::state::ContactState;
 use palkki::{Settings, solve_raw};
 use palkki_evidence::faults::{
-    CONTACT_FAULTS, Certified, Distance, FAULTS, SIZES, Truth, every_second, scaled_ground, scaled_load,
+    CONTACT_FAULTS, Certified, Distance, FAULTS, SIZES, Truth, every_contact_fault, every_fault, every_second,
+    scaled_ground, scaled_load,
 };
 
 use serde::{Deserialize, Serialize};
@@ -98,7 +99,9 @@ pub(crate) fn rows(subject: &Subject, all: &[Subject]) -> Result<Vec<Row>, Cause
         let sound = answer(scene, method, Solver::ActiveSet, INTERVALS)?;
         for solver in Solver::ALL {
             let state = answer(scene, method, solver, INTERVALS)?;
-            trial.faults(&sound, &state);
+            for (fault, size, broken) in every_fault(&state, scene) {
+                trial.judge(fault.name, size, &sound, &broken);
+            }
             for size in FOREIGN_SIZES {
                 let stale = [(DEEPER, scaled_ground(scene, size)), (HEAVIER, scaled_load(scene, size))];
                 for (fault, other) in stale {
@@ -150,18 +153,6 @@ impl Trial<'_> {
         &mut self.rows[place]
     }
 
-    fn faults(&mut self, sound: &ContactState, state: &ContactState) {
-        let length = self.truth.scene.beam().length();
-        let load = self.truth.scene.load().magnitude(length);
-        for fault in FAULTS {
-            for &size in if fault.sized { &SIZES[..] } else { &[0.0] } {
-                if let Some(broken) = fault.put_into(state, size, load, length) {
-                    self.judge(fault.name, size, sound, &broken);
-                }
-            }
-        }
-    }
-
     fn judge(&mut self, fault: &str, size: f64, sound: &ContactState, broken: &ContactState) {
         let scene = self.truth.scene;
         let length = scene.beam().length();
@@ -178,18 +169,15 @@ impl Trial<'_> {
     fn contacts(&mut self) {
         let contacts = self.truth.contacts.clone();
         let length = self.truth.scene.beam().length();
-        for fault in CONTACT_FAULTS {
-            for &size in if fault.sized { &SIZES[..] } else { &[0.0] } {
-                let Some(broken) = fault.put_into(&contacts, size, length) else { continue };
-                let judged = self.truth.contacts(&broken);
-                let share = judged
-                    .as_ref()
-                    .map_or(f64::INFINITY, |judged| judged.certificate.deflection_error / self.truth.deflection);
-                let passed = share <= CERTIFIED_RESIDUAL;
-                let row = self.row(&format!("{EXACT}{}", fault.name));
-                row.verdict(passed.then(|| Distance { deflection: share, ..Distance::default() }), size);
-                row.certified(judged.as_ref());
-            }
+        for (fault, size, broken) in every_contact_fault(&contacts, length, &SIZES) {
+            let judged = self.truth.contacts(&broken);
+            let share = judged
+                .as_ref()
+                .map_or(f64::INFINITY, |judged| judged.certificate.deflection_error / self.truth.deflection);
+            let passed = share <= CERTIFIED_RESIDUAL;
+            let row = self.row(&format!("{EXACT}{}", fault.name));
+            row.verdict(passed.then(|| Distance { deflection: share, ..Distance::default() }), size);
+            row.certified(judged.as_ref());
         }
     }
 }
