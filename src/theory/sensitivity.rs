@@ -43,6 +43,9 @@ pub(super) enum Change {
     Support(usize, [f64; 2]),
 }
 
+/// Share of what a bend is the sum of below which it is their rounding: a span that is turned and stays straight has none.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
 /// How a node and its force change.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct NodeChange {
@@ -268,7 +271,13 @@ impl<'a> Sensitivity<'a> {
             let fixed = of.over(self.given, span);
             let chord = (asks[right].value - asks[left].value) / l;
             let (a, b) = (slopes[left][1] - chord, slopes[right][0] - chord);
-            let bends = [fixed.moment[0] - (4.0 * a + 2.0 * b) / l, fixed.moment[1] + (2.0 * a + 4.0 * b) / l];
+            let size = (slopes[left][1].abs() + slopes[right][0].abs() + 2.0 * chord.abs()) * 4.0 / l;
+            let bend = |fixed: f64, turned: f64| {
+                let bend = fixed + turned;
+                if bend.abs() <= ROUNDING * (fixed.abs() + size) { 0.0 } else { bend }
+            };
+            let bends =
+                [bend(fixed.moment[0], -(4.0 * a + 2.0 * b) / l), bend(fixed.moment[1], (2.0 * a + 4.0 * b) / l)];
             let across = (bends[1] - bends[0]) / l;
             (beside[left].bend[1], beside[left].third[1]) = (bends[0], across - fixed.shear[0]);
             (beside[right].bend[0], beside[right].third[0]) = (bends[1], across + fixed.shear[1]);

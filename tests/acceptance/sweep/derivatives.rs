@@ -334,3 +334,20 @@ fn the_margin_of_a_body_that_stands_is_a_share() {
         assert!(within || pulls && standing.margin.is_nan(), "{i}: {standing:?}");
     }
 }
+
+/// A beam on two supports is turned by their levels and not bent, however near to each other they are: its forces do not change, nor does
+/// the force of one that carries nothing with its place.
+#[test]
+fn a_beam_that_is_turned_keeps_its_forces() {
+    for k in 1..=60 {
+        let (at, apart) = (1.0 + f64::from(k) / 31.0, 5.0 / f64::from(k * k));
+        let supports = [Support::simple(at).at_level(-0.02), Support::simple(at + apart)];
+        let scene = on_supports([12.4, 927.0], &supports, (0.0, &[(at + apart, 1.0)]), None);
+        let exact = theory::solve(&scene).expect("an answer");
+        for derivative in exact.derivatives(&scene) {
+            if matches!(derivative.by, By::Number(Quantity::SupportLevel(_) | Quantity::SupportAt(0))) {
+                assert_eq!(derivative.supports, [0.0; 2], "{k}: {derivative:?}");
+            }
+        }
+    }
+}
