@@ -23,10 +23,10 @@ fn solved(slab: &Slab, load: f64, gap: impl Fn(f64, f64) -> f64) -> ([Vec<f64>; 
 /// The ground has settled along y, and has a crest across: proven, and pressed where the ground is high.
 #[test]
 fn a_slab_on_settled_ground_with_a_crest_is_proven() {
-    let slab = Slab { length: 10.0, width: 8.0, stiffness: 10.0, poisson: 0.2, elements: [15, 13] };
+    let slab = Slab { length: 10.0, width: 8.0, stiffness: 10.0, poisson: 0.2, elements: [21, 19] };
     let ground = |x: f64, y: f64| 0.3 + 0.05 * y - 0.2 * (1.0 - (x - 6.0).abs()).max(0.0);
     let ([clearance, contact_force], verdict) = solved(&slab, 1.0, ground);
-    assert_eq!(clearance.len(), 14 * 14);
+    assert_eq!(clearance.len(), 400);
     assert_eq!(verdict.status, Status::Certified, "{}", verdict.reason);
     assert!(verdict.off.share < 1e-13, "{}", verdict.reason);
     // The settled half carries less.
@@ -36,7 +36,7 @@ fn a_slab_on_settled_ground_with_a_crest_is_proven() {
     });
     assert!(0.0 < halves[1] && halves[1] < halves[0], "{halves:?}");
     let pressed = contact_force.iter().filter(|force| 0.0 < **force).count();
-    assert!(10 < pressed && pressed < 98, "{pressed} nodes touch");
+    assert!(20 < pressed && pressed < 200, "{pressed} nodes touch");
 }
 
 /// A square slab that bends to a cylinder carries what a beam does: 5 q l⁴/384 D at mid-span without Poisson's effect.
