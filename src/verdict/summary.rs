@@ -11,7 +11,10 @@ use crate::state::ContactState;
 /// guaranteed error.
 const ROUNDING: f64 = 1e-12;
 
-/// The same for its energy: twelve digits of places and forces leave nine of a sum that may cancel.
+/// What is left of loads or levels that cancel, as a share of them: some sixteen last digits.
+const LAST_DIGITS: f64 = 16.0 * f64::EPSILON;
+
+/// The same as [`ROUNDING`] for its energy: twelve digits of places and forces leave nine of a sum that may cancel.
 pub(super) const ENERGY: f64 = 1e-9;
 
 /// A number of the summary of an answer, which has a bracket.
@@ -63,14 +66,14 @@ pub(super) fn is_unbent(certificate: &Certificate) -> bool {
 /// What the moments of its loads are rounded by: those of a beam at rest add up to this.
 fn moment_rounding(scene: &Scene) -> f64 {
     let length = scene.beam().length();
-    16.0 * f64::EPSILON * scene.load().magnitude(length) * length
+    LAST_DIGITS * scene.load().magnitude(length) * length
 }
 
 /// What the forces of its levels are rounded by, `48 EI v / l³`: those of a beam that is straight between supports add up to this.
 fn force_rounding(scene: &Scene, state: &ContactState) -> f64 {
     let length = scene.beam().length();
     let bent = 48.0 * state.deflection.magnitude() / length * scene.beam().bending_stiffness() / length / length;
-    16.0 * f64::EPSILON * bent
+    LAST_DIGITS * bent
 }
 
 /// Rounding of the largest deflection. A beam at rest moves by the rounding of what its loads would do to it, `P l³ / 48 EI`, and of
