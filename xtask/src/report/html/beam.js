@@ -7,6 +7,8 @@ const [PULL, DEEP] = [1e-9, 1e-12];
 const [STIFF, SOFT] = [1e12, 1e-6];
 /// Intervals that the answer without a grid begins with, and how often those beside a lift-off are halved.
 const [FIRST, HALVINGS] = [80, 8];
+/// Nodes that were eliminated so far: the work of a frame, on any machine.
+let eliminated = 0;
 
 const total = (values) => values.reduce((sum, value) => sum + value, 0);
 
@@ -43,7 +45,7 @@ const onNodes = ({ length, stiffness, ground, ends }, x, load, uniform) => {
 /// node a three-moment equation and equilibrium; what a node has is a constant less parts of the moment and gap of the next.
 const onContacts = ({ x, depth, span, kink, push, turns, held, spring, work, length }, touches) => {
   const [moment, momentByMoment, momentByGap, gap, gapByMoment, gapByGap] = work;
-  for (let i = 0; i < x.length; i += 1) {
+  for (let i = 0; i < x.length; i += 1, eliminated += 1) {
     const left = span[i];
     const right = span[i + 1];
     const perLeft = left && 1 / left;

@@ -150,6 +150,15 @@ if (location.hash === "#selftest") {
       near(grid.force.find((f, k) => f > 0 && !grid.held[k]), row.first_force_on_grid, 1e-5, `scene ${i} on a grid, first force`);
       expect(!/NaN|undefined|Infinity/.test(section.innerHTML), `scene ${i} is drawn without numbers`);
     }
+    // The work of a frame with the finest grid; at most 52,488 on these scenes. How long it takes depends on the machine: `#frames` says it.
+    form.intervals.value = form.intervals.max;
+    for (const [i, row] of exactScenes().entries()) {
+      scene = sceneOf(row.scene);
+      const before = eliminated;
+      frame();
+      expect(eliminated - before <= 60000, `scene ${i} takes ${eliminated - before} eliminations of a node`);
+    }
+    form.intervals.value = 30;
     // By keys alone: each handle and each control changes the picture.
     const start = (i) => {
       form.start.selectedIndex = i;
