@@ -3,6 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::Profile;
+use super::profile::dot;
 
 /// A symmetric matrix, stored as it is shaped.
 #[derive(Debug, Clone, PartialEq)]
@@ -64,7 +65,7 @@ impl Matrix {
     pub fn row_times(&self, i: usize, x: &[f64]) -> f64 {
         match self {
             // Columns are contiguous, one after the other, and the matrix is symmetric.
-            Self::Dense(a) => a.as_slice()[i * a.nrows()..][..a.nrows()].iter().zip(x).map(|(a, x)| a * x).sum(),
+            Self::Dense(a) => dot(&a.as_slice()[i * a.nrows()..][..a.nrows()], x),
             Self::Pentadiagonal(_) | Self::Profile(_) => self.neighbours(i).map(|j| self.entry(i, j) * x[j]).sum(),
         }
     }

@@ -222,7 +222,7 @@ impl Profile {
 }
 
 /// A sum of as many products as `a` has numbers, in a fixed order, several at a time: the same bits on every processor.
-fn dot(a: &[f64], b: &[f64]) -> f64 {
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     /// Twice as many numbers of 64 bits as common processors add at once: one sum waits for the other.
     const LANES: usize = 8;
     let (a, b) = (a.chunks_exact(LANES), b[..a.len()].chunks_exact(LANES));
