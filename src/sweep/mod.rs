@@ -151,7 +151,8 @@ impl<'a> Sweep<'a> {
         if !(2..=MOST_STEPS).contains(&steps) {
             return Err(SweepError::Steps(steps));
         }
-        if !(from.is_finite() && to.is_finite() && (to - from).is_finite() && 0.0 < (to - from).abs()) {
+        let width = (to - from).abs();
+        if !(0.0 < width && width.is_finite()) {
             return Err(SweepError::Range { from, to });
         }
         Ok(Self { scene, quantity, with, range, steps })

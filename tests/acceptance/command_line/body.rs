@@ -129,22 +129,25 @@ fn a_wrong_answer_is_refused_and_bounded_from_both_sides() {
     let bounds = ["energy_lower", "energy_upper", "gap", "error"].map(|key| json["certificate"][key].as_f64());
     assert!(bounds.iter().all(Option::is_some), "{json}");
     for (answer, off, code, violated) in [
-        ("i,clearance\n1,1\n2,1\n3,1\n", 0.0, 0, None),
-        ("i,clearance\n1,1\n2,1.25\n3,1\n", 0.25, 1, None),
-        ("i,clearance\n1,1\n2,1\n3,1\n6,-0.5\n", 0.5, 1, Some("penetration")),
-        ("i,force\n5,1\n6,1\n", 0.0, 0, None),
+        ("i,clearance\n1,1\n2,1\n3,1\n", 0.0, 0, &[][..]),
+        ("i,clearance\n1,1\n2,1.25\n3,1\n", 0.25, 1, &[]),
+        ("i,clearance\n1,1\n2,1\n3,1\n6,-0.5\n", 0.5, 1, &["penetration"]),
+        ("i,force\n5,1\n6,1\n", 0.0, 0, &[]),
         // The largest entry of K⁻¹ e₆ is 5/6, by elimination in fractions.
-        ("i,force\n5,1\n6,1.5\n", 0.5 * 5.0 / 6.0, 1, Some("complementarity")),
+        ("i,force\n5,1\n6,1.5\n", 0.5 * 5.0 / 6.0, 1, &["complementarity"]),
+        ("i,force\n5,1\n6,-0.5\n", 1.5 * 5.0 / 6.0, 1, &["penetration", "tension"]),
     ] {
         folder.write("answer.csv", answer);
-        let (found, _, json) = folder.json("certify body.toml answer.csv");
-        assert_eq!(found, Some(code), "{answer}: {json}");
+        let (exit, _, json) = folder.json("certify body.toml answer.csv");
+        assert_eq!(exit, Some(code), "{answer}: {json}");
         let bounds = numbers(&json["off"]);
         assert!(
             bounds[0] <= off + 1e-15 && off <= bounds[1] + 1e-15 && bounds[1] - bounds[0] < 1e-12,
             "{answer}: {json}"
         );
-        assert_eq!(json["violations"][0]["condition"].as_str(), violated, "{answer}");
+        let found = json["violations"].as_array().cloned().unwrap_or_default();
+        let found: Vec<_> = found.iter().filter_map(|violation| violation["condition"].as_str()).collect();
+        assert_eq!(found, violated, "{answer}");
         let text = folder.run("certify body.toml answer.csv").out;
         assert!(code == 0 || text.starts_with("not-certified: the clearances are off by at least "), "{text}");
     }

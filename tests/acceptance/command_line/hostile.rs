@@ -80,6 +80,22 @@ fn files_have_a_largest_size() {
     }
 }
 
+/// A matrix is read line by line.
+#[test]
+fn a_line_of_a_matrix_may_have_4096_bytes() {
+    let folder = Folder::new("long_line");
+    super::body::known(&folder);
+    let matrix = folder.read("K.mtx");
+    let (first, rest) = matrix.split_once('\n').expect("lines");
+    for (bytes, says) in [(4096, None), (4097, Some("line 2 is longer than 4096 bytes, the most that is read"))] {
+        folder.write("K.mtx", format!("{first}\n%{}\n{rest}", " ".repeat(bytes - 2)));
+        match says {
+            Some(says) => check(&folder, "solve body.toml", says),
+            None => assert_eq!(folder.run("solve body.toml").code, Some(0)),
+        }
+    }
+}
+
 #[test]
 fn surveys_of_very_many_points() {
     let folder = Folder::new("many_points");

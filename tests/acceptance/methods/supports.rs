@@ -98,12 +98,15 @@ fn a_beam_in_balance_may_turn() {
     }
 }
 
-/// A rigid body, nearly, on the top of a hump: the slope of the ground there. On a ridge it may have any between those of its sides.
+/// A rigid body, nearly, on the top of a hump: the slope of the ground there. On a ridge it may have any between those of its sides, and
+/// on the edge of a step from that of the upper side until its end is on the lower one.
 #[test]
 fn one_contact_gives_the_slope_where_the_ground_is_smooth() {
     let smooth = scene(Vec::new(), (0.0, &[(3.0, 1.0)]), polynomial(&[2.5, -1.0, 0.1]), None);
     let ridge = Foundation::Polyline { points: vec![[0.0, 1.0], [3.0, 0.4], [LENGTH, 3.0]] };
     let ridge = scene(Vec::new(), (0.0, &[(3.0, 1.0)]), Some(ridge), None);
+    let step = Foundation::Polyline { points: vec![[0.0, 1.0], [3.0, 1.0], [3.0, 3.0], [LENGTH, 3.0]] };
+    let step = scene(Vec::new(), (0.0, &[(3.0, 1.0)]), Some(step), None);
     let lifted_ends = scene(Vec::new(), (0.0, &[(0.0, -1.0), (3.0, 5.0), (6.0, -1.0)]), flat(0.0), None);
     assert_eq!(state(&lifted_ends, Method::Force, 30).standing.expect("free").motion, None);
     for method in Method::ALL {
@@ -117,6 +120,9 @@ fn one_contact_gives_the_slope_where_the_ground_is_smooth() {
         let [Some(least), Some(most)] = motion.slope else { panic!("{motion:?}") };
         assert!((least + 0.2).abs() < 1e-12 && (most - 2.6 / 7.0).abs() < 1e-12, "{motion:?}");
         assert!(found.deflection.max - found.deflection.min < 1e-12, "slope zero is the nearest");
+        let motion = state(&step, method, 40).standing.expect("free").motion.expect("it may turn");
+        let [Some(least), Some(most)] = motion.slope else { panic!("{motion:?}") };
+        assert!(least.abs() < 1e-12 && (most - 2.0 / 7.0).abs() < 1e-12, "{motion:?}");
     }
 }
 

@@ -208,7 +208,7 @@ impl From<&Scene> for Draft {
             linear: load.linear().to_vec(),
             point: load.point().to_vec(),
             ground: scene.foundation().cloned(),
-            supports: Some(beam.supports().to_vec()),
+            supports: Some(beam.supports_as_given()),
             shape: beam.shape().cloned(),
         }
     }

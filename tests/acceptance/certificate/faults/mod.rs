@@ -5,15 +5,16 @@ mod exact;
 
 use std::collections::BTreeSet;
 
-use palkki::certificate::CERTIFIED_RESIDUAL;
+use palkki::certificate::{CERTIFIED_RESIDUAL, Kkt};
 use palkki::route::{Method, Solver};
-use palkki::scene::Scene;
+use palkki::scene::{Scene, Support};
 use palkki::state::ContactState;
 use palkki_evidence::closed;
+use palkki_evidence::draft::{Draft, Units};
 use palkki_evidence::faults::{Distance, FAULTS, Truth, every_fault, every_second, scaled_ground, scaled_load};
 
 use super::passes;
-use crate::scenes::{example, report, run};
+use crate::scenes::{example, on_supports, report, run};
 
 /// Few, so that every solver takes part.
 const INTERVALS: usize = 20;
@@ -101,6 +102,33 @@ fn faults_are_refused_or_harmless_and_bounded_truthfully() {
         assert!(20 < bounded, "{name}: something can be said of {bounded} wrong answers");
     }
     assert_eq!(effective.len(), FAULTS.len(), "every fault changes some answer: {effective:?}");
+}
+
+/// What is found of a fault is a share: in units that are powers of two it has the same bits. Without loads a fault has no size.
+#[test]
+fn a_fault_is_as_large_in_any_unit() {
+    let two_to = |power: i32| 2.0_f64.powi(power);
+    let mut found = 0;
+    let held = closed::held().expect("well-posed scenes").into_iter().map(|known| (known.name, known.scene));
+    let loaded = |scene: &Scene| 0.0 < scene.load().magnitude(scene.beam().length());
+    let bearing = [Support::simple(0.0), Support::pushing(5.0).at_level(0.3), Support::simple(10.0)];
+    let bearing = ("a bearing".to_owned(), on_supports([10.0, 70.0], &bearing, (2.0, &[]), None));
+    for (name, scene) in report().into_iter().chain(held).chain([bearing]).filter(|(_, scene)| loaded(scene)) {
+        for [length, depth, force] in [[0, -10, 0], [0, 0, -20], [-10, 10, 20]].map(|unit| unit.map(two_to)) {
+            let other = Draft::from(&scene).in_units(Units { length, depth, force }).scene().expect("the same scene");
+            let [states, others] = [&scene, &other]
+                .map(|scene| Method::ALL.map(|method| run(scene, method, Solver::ActiveSet, INTERVALS).state));
+            for (state, same) in states.iter().zip(&others) {
+                for ((fault, size, broken), (.., same)) in every_fault(state, &scene).zip(every_fault(same, &other)) {
+                    let [expected, kkt] =
+                        [(&scene, &broken), (&other, &same)].map(|(scene, state)| Kkt::of(scene, state));
+                    assert_eq!(format!("{kkt:?}"), format!("{expected:?}"), "{name}: {}, {size:e}", fault.name);
+                    found += 1;
+                }
+            }
+        }
+    }
+    assert!(10_000 < found, "{found} faults");
 }
 
 #[test]
