@@ -223,7 +223,7 @@ impl Profile {
 
 /// A sum of as many products as `a` has numbers, in a fixed order, several at a time: the same bits on every processor.
 pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    /// Twice as many numbers of 64 bits as common processors add at once: one sum waits for the other.
+    /// Twice as many numbers of 64 bits as common processors add at once, since additions of one sum depend on each other.
     const LANES: usize = 8;
     let (a, b) = (a.chunks_exact(LANES), b[..a.len()].chunks_exact(LANES));
     let rest: f64 = a.remainder().iter().zip(b.remainder()).map(|(a, b)| a * b).sum();
