@@ -32,9 +32,9 @@ const SWEEPS_PER_LOOK: usize = 10;
 /// Operations of a sweep besides the multiplications: some for each variable, and its share of a look.
 const OVERHEAD: usize = 40;
 
-/// Budget of a run in multiplications: a few seconds on any machine. The limit on sweeps follows from it, so that the
-/// answer does not depend on a clock.
-const MULTIPLICATIONS: usize = 1 << 30;
+/// Budget of a run in operations: it is used up in less than a second where it was measured. The limit on sweeps follows from it, so
+/// that the answer does not depend on a clock.
+const OPERATIONS: usize = 1 << 30;
 
 /// What it is set to.
 pub(super) fn settings_text(tolerance: f64) -> String {
@@ -44,7 +44,7 @@ pub(super) fn settings_text(tolerance: f64) -> String {
         FACTORS.len(),
         FACTORS[0],
         FACTORS[FACTORS.len() - 1],
-        MULTIPLICATIONS / 1_000_000,
+        OPERATIONS / 1_000_000,
     )
 }
 
@@ -54,8 +54,8 @@ pub(super) fn solve(qp: &dyn Qp, tolerance: f64) -> Answer {
         return Answer::refused(qp.dimension(), message);
     }
     let relaxation = Relaxation { qp, matrix: qp.matrix(), linear: qp.linear() };
-    let limit = (MULTIPLICATIONS / (relaxation.matrix.entries() + OVERHEAD * qp.dimension()))
-        .max(FACTORS.len() * SWEEPS_PER_LOOK);
+    let limit =
+        (OPERATIONS / (relaxation.matrix.entries() + OVERHEAD * qp.dimension())).max(FACTORS.len() * SWEEPS_PER_LOOK);
     let mut race = FACTORS.map(|factor| Candidate::new(factor, qp.dimension())).to_vec();
     let (mut sweeps, mut round) = (0, FIRST_ROUND);
     let mut winner = None;

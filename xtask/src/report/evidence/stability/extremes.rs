@@ -13,7 +13,7 @@ const DIGITS: f64 = 1e-12;
 const SAME: f64 = 1e-6;
 /// Grids on flat ground of every depth: the fewest intervals, odd and even ones, one more than the paper's.
 const GRIDS: [usize; 5] = [2, 3, 5, 8, 31];
-/// The finest grid on which NSOR runs: on finer ones most runs use up a budget of seconds, which other pages show.
+/// The finest grid on which NSOR runs: on finer ones most runs use up their budget, which other pages show.
 const NSOR: usize = 8;
 /// What the row of beam theory is called.
 const THEORY: &str = "beam theory";
