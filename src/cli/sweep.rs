@@ -189,7 +189,8 @@ impl Swept {
             return envelope_csv(envelope);
         }
         let states = || self.rows.iter().map(|(_, answer)| &answer.solution.state);
-        let supports = states().map(|state| state.supports.len()).max().unwrap_or(0);
+        // All rows have the same supports.
+        let supports = states().next().map_or(0, |state| state.supports.len());
         let contacts = states().map(|state| state.contacts.len()).max().unwrap_or(0);
         let mut header = String::from(
             "value,status,regime,contact_force,deflection_max,deflection_max_at,moment_max,moment_max_at,moment_min,\

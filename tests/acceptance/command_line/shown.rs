@@ -70,6 +70,7 @@ fn grids_are_shown() {
         "solve ridge.toml -m displacement -s four-step",
         "solve high.toml -m force -n 2",
         "solve lying.toml -m force -s nsor",
+        "solve lying.toml -m force -n 4 --nodes",
     ];
     assert_table!("shown@grid", "Methods on grids", page(&folder("shown_grids"), &grids));
 }
