@@ -32,8 +32,8 @@ const SWEEPS_PER_LOOK: usize = 10;
 /// Operations of a sweep besides the multiplications: some for each variable, and its share of a look.
 const OVERHEAD: usize = 40;
 
-/// Budget of a run in operations: it is used up in less than a second where it was measured. The limit on sweeps follows from it, so
-/// that the answer does not depend on a clock.
+/// Budget of a run in operations; the page on speed and accuracy has the time in which it is used up. The limit on sweeps follows from
+/// it, so that the answer does not depend on a clock.
 const OPERATIONS: usize = 1 << 30;
 
 /// What it is set to.

@@ -5,7 +5,7 @@ use std::process::Command;
 use palkki::scene::file::ReadProblem;
 use palkki::verdict::Status;
 use palkki_evidence::numdiff::numdiff;
-use palkki_evidence::random::sample_of;
+use palkki_evidence::random::{draws_all, sample_of};
 
 use super::text::{files, root, rust_files, words};
 
@@ -84,8 +84,7 @@ fn the_readme_shows_what_is_printed() {
 /// `cargo test` draws a quarter, as the documents say; `.ci/run` draws all.
 #[test]
 fn the_documents_say_how_much_is_drawn() {
-    let draws_all = std::env::var_os("PALKKI_DRAW").is_some_and(|wish| wish == "all");
-    assert_eq!(sample_of(400), if draws_all { 400 } else { 100 });
+    assert_eq!(sample_of(400), if draws_all() { 400 } else { 100 });
     for name in ["README.md", "CONTRIBUTING.md", "CHANGELOG.md"] {
         assert!(document(name).contains("quarter") && document(name).contains("PALKKI_DRAW=all"), "{name}");
     }

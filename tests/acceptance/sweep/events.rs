@@ -1,6 +1,6 @@
 //! Events: between them nothing happens, and at them something does.
 
-use palkki::scene::{Foundation, Scene, Support};
+use palkki::scene::{Foundation, Support};
 use palkki::sweep::{Event, Sweep};
 use palkki::theory::{self, Exact};
 use palkki_evidence::random::sample_of;
@@ -100,10 +100,11 @@ fn a_support_that_settles_begins_to_pull_where_its_force_vanishes() {
 /// that gives and is out of reach.
 #[test]
 fn a_support_begins_to_pull_above_ground_that_gives() {
-    let rigid = on_supports([10.0, 2.0], &[0.0, 5.0].map(Support::simple), (0.0, &[(2.0, 1.0), (10.0, 0.1)]), None);
-    let deep = Some(Foundation::Flat { depth: 1e3 });
-    let deep = Scene::new(rigid.beam().clone(), rigid.load().clone(), deep).expect("a scene");
-    for scene in [deep.on_springs(1.0).expect("ground"), deep, rigid] {
+    let above = |ground: Option<Foundation>| {
+        on_supports([10.0, 2.0], &[0.0, 5.0].map(Support::simple), (0.0, &[(2.0, 1.0), (10.0, 0.1)]), ground)
+    };
+    let deep = above(Some(Foundation::Flat { depth: 1e3 }));
+    for scene in [deep.on_springs(1.0).expect("ground"), deep, above(None)] {
         let found = events(&scene, "load.point[1].force", [0.1, 1.0], 4);
         let [event] = &found[..] else { panic!("{found:?}") };
         assert!((event.value - 0.6).abs() <= 1e-11, "{event:?}");

@@ -63,8 +63,13 @@ impl Random {
 /// where the variable `PALKKI_DRAW` is `all`, as in `.ci/run`.
 #[must_use]
 pub fn sample_of<Count: Div<Output = Count> + From<u8>>(all: Count) -> Count {
-    let draws_all = std::env::var_os("PALKKI_DRAW").is_some_and(|wish| wish == "all");
-    all / Count::from(if draws_all { 1 } else { 4 })
+    all / Count::from(if draws_all() { 1 } else { 4 })
+}
+
+/// Whether [`sample_of`] draws all.
+#[must_use]
+pub fn draws_all() -> bool {
+    std::env::var_os("PALKKI_DRAW").is_some_and(|wish| wish == "all")
 }
 
 /// The first scene of the attempts with the numbers of a seed: those may be refused.
