@@ -1,14 +1,15 @@
 //! A chain of symmetric blocks of two, by elimination in which no digit is lost:
 //!
 //! ```text
-//! B y − W x = r₂        (B y)_i = c_i (y_{i+1} − y_i) − c_{i−1} (y_i − y_{i−1})
-//! B x + Θ y = r₁        Θ ≥ 0 diagonal, W positive definite tridiagonal
+//! B y − W x = r₂        (B y)_i = c_i (y_{i+1} − y_i) − c_{i−1} (y_i − y_{i−1}) − η_i y_i
+//! B x + Θ y = r₁        Θ ≥ 0 and W positive definite, tridiagonal with σ and ω beside the diagonal
 //! ```
 //!
-//! Written with `h = c + e`, every pivot is a sum of positive numbers but for one difference that is small by construction:
+//! Written with `h = c + e`, every pivot is a sum of positive numbers but for differences that are small by construction:
 //!
 //! ```text
-//! d = a g + h²,   a' = Θ' + c² a/d,   e' = c (a (g + ω) + h e)/d,   g' = w' + (c² g + 2 c h ω − a ω²)/d
+//! d = a g + h²,   a' = Θ' + (a c² + 2 c h σ − g σ²)/d,   g' = w' + (g c² + 2 c h ω − a ω²)/d
+//! e' = η' + (c (a (g + ω) + h e) + σ (c g + h ω))/d
 //! ```
 
 /// Large enough to fix the variable of its row to all digits: a power of two, so that nothing else is rounded.
@@ -23,6 +24,9 @@ pub(crate) struct Block {
     pub(crate) w: f64,
     /// Entry of `W` beside the diagonal, to the right: `ω`.
     pub(crate) off: f64,
+    /// The same of `Θ`, `σ`, and what `B` has more on its diagonal, `η`: of a beam on springs.
+    sigma: f64,
+    eta: f64,
     /// Pivot block `[[a, −h], [−h, −g]]` and `1/(a g + h²)`.
     a: f64,
     h: f64,
@@ -36,6 +40,11 @@ impl Block {
     /// A member by what joins it to the next one, and its part of `W`.
     pub(crate) fn new(c: f64, w: f64, off: f64) -> Self {
         Self { c, w, off, ..Self::default() }
+    }
+
+    /// The same on springs.
+    pub(crate) fn on_springs(self, sigma: f64, eta: f64) -> Self {
+        Self { sigma, eta, ..self }
     }
 
     /// The pivot, if it is no positive number, or if the solution is none.
@@ -59,13 +68,14 @@ pub(crate) fn factor<R: AsMut<Block>>(rows: &mut [R], ratio: impl Fn(&R) -> f64)
         let theta = ratio(row);
         let row = row.as_mut();
         row.a = a + theta;
+        e += row.eta;
         row.h = row.c + e;
         row.g = g + row.w;
         row.inverse = 1.0 / (row.a * row.g + row.h * row.h);
         let (c, off) = (row.c, row.off);
-        let scaled = c * row.inverse;
-        a = c * scaled * row.a;
-        e = scaled * (row.a * (row.g + off) + row.h * e);
+        let (scaled, sigma) = (c * row.inverse, row.sigma * row.inverse);
+        a = c * scaled * row.a + sigma * (2.0 * c * row.h - row.g * row.sigma);
+        e = scaled * (row.a * (row.g + off) + row.h * e) + sigma * (c * row.g + row.h * off);
         g = scaled * (c * row.g + 2.0 * row.h * off) - row.a * off * off * row.inverse;
     }
 }
@@ -79,12 +89,12 @@ pub(crate) fn solve<R: AsMut<Block>>(rows: &mut [R], right: impl Fn(&R) -> [f64;
         let row = row.as_mut();
         let (y1, y2) = (r1 - carry[0], r2 - carry[1]);
         row.step = [(row.g * y1 - row.h * y2) * row.inverse, -(row.h * y1 + row.a * y2) * row.inverse];
-        carry = [row.c * row.step[1], row.c * row.step[0] - row.off * row.step[1]];
+        carry = [row.sigma * row.step[0] + row.c * row.step[1], row.c * row.step[0] - row.off * row.step[1]];
     }
     let mut next = [0.0; 2];
     for row in rows.iter_mut().rev() {
         let row = row.as_mut();
-        let (y1, y2) = (row.c * next[1], row.c * next[0] - row.off * next[1]);
+        let (y1, y2) = (row.sigma * next[0] + row.c * next[1], row.c * next[0] - row.off * next[1]);
         row.step[0] -= (row.g * y1 - row.h * y2) * row.inverse;
         row.step[1] += (row.h * y1 + row.a * y2) * row.inverse;
         next = row.step;

@@ -309,8 +309,11 @@ mod tests {
         let places: Vec<f64> = given.breakpoints.iter().map(|j| j.x).collect();
         assert_eq!(places, [0.0, 1.0, 2.0, 3.0, 4.0]);
         assert_eq!(given.cells.iter().map(|c| c.shape).collect::<Vec<_>>(), [0, 1, 2, 2]);
-        assert_eq!(given.breakpoints[1], Breakpoint { x: 1.0, depth: 1.0, force: 0.0, step: 0.0, kink: -1.0 });
-        assert_eq!(given.breakpoints[2], Breakpoint { x: 2.0, depth: 0.0, force: 2.5, step: 0.5, kink: 2.0 });
+        assert_eq!(given.breakpoints[1], Breakpoint { x: 1.0, depth: 1.0, kink: -1.0, ..Breakpoint::default() });
+        assert_eq!(
+            given.breakpoints[2],
+            Breakpoint { x: 2.0, force: 2.5, step: 0.5, kink: 2.0, ..Breakpoint::default() }
+        );
         // q = 1 + 2 + 2 (x − 1), over EI.
         let found = [given.load(1, 1.5), given.load(3, 3.5), given.depth(2.0)];
         assert_eq!(found.map(f64::to_bits), [2.0_f64, 0.5, 0.0].map(f64::to_bits));

@@ -23,8 +23,9 @@
 //! the two are a couple. Of the force at a zone that begins or ends there only the sum with that of the support is unique: the
 //! support is said to take all of it.
 
+use super::overhang::Overhang;
 use super::piecewise::PiecewiseScene;
-use super::span::{End, EndCondition, Overhang, Span};
+use super::span::{End, EndCondition, Span};
 use crate::certificate::Slope;
 
 /// What is not known of a node.

@@ -43,6 +43,7 @@ mod missing;
 mod neutral;
 mod newton;
 mod normal;
+mod overhang;
 mod pattern;
 mod penetration;
 mod piece;

@@ -161,11 +161,14 @@ impl Piece {
     /// What is known behind its far end, where a force may act.
     fn beyond(&self, given: &PiecewiseScene) -> Option<State> {
         let breakpoint = if self.is_from_the_left() { self.far + 1 } else { self.far };
-        let force = if self.is_from_the_left() { 1.0 } else { -1.0 } * given.breakpoints[breakpoint].force;
+        let sign = if self.is_from_the_left() { 1.0 } else { -1.0 };
+        let [force, couple] = [given.breakpoints[breakpoint].force, given.breakpoints[breakpoint].couple];
         self.state.map(|state| {
             let mut state = self.carried(given, &state, self.count());
-            state.beam[3] += force;
-            state.clearance[3] -= force;
+            for (j, jump) in [(3, sign * force), (2, sign * couple)] {
+                state.beam[j] += jump;
+                state.clearance[j] -= jump;
+            }
             state
         })
     }

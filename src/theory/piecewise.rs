@@ -30,10 +30,19 @@ pub(super) struct Breakpoint {
     pub(super) depth: f64,
     /// Point load.
     pub(super) force: f64,
+    /// By how much `v''` jumps: a couple.
+    pub(super) couple: f64,
     /// Jump `u(x+) − u(x−)` of the depth.
     pub(super) step: f64,
     /// Jump `u'(x+) − u'(x−)` of the slope.
     pub(super) kink: f64,
+}
+
+impl Breakpoint {
+    /// True if a force or a couple acts there.
+    fn is_loaded(&self) -> bool {
+        self.force != 0.0 || self.couple != 0.0
+    }
 }
 
 /// A support, and the ground beside it.
@@ -156,14 +165,14 @@ impl PiecewiseScene {
 
     /// The forces at the breakpoints between cells `first` and `last`.
     pub(super) fn forces_between(&self, first: usize, last: usize) -> impl Iterator<Item = &Breakpoint> {
-        self.runs(first, last).skip(1).map(|[start, _]| &self.breakpoints[start]).filter(|j| j.force != 0.0)
+        self.runs(first, last).skip(1).map(|[start, _]| &self.breakpoints[start]).filter(|j| j.is_loaded())
     }
 
     /// All breakpoints at which a force acts, from left to right.
     pub(super) fn forces(&self) -> impl Iterator<Item = &Breakpoint> {
         let inside = self.run_ends.iter().map(|&i| &self.breakpoints[i]);
         let all = self.breakpoints.first().into_iter().chain(inside).chain(self.breakpoints.last());
-        all.filter(|j| j.force != 0.0)
+        all.filter(|j| j.is_loaded())
     }
 
     /// The resultant of the loads between `from` and `to`, without point loads at these two.

@@ -3,8 +3,8 @@
 
 use super::list::List;
 use super::normal::{edge_node, merged};
+use super::overhang::Overhang;
 use super::piecewise::PiecewiseScene;
-use super::span::Overhang;
 
 /// Lists to start from: what a rigid beam touches, and all that there is.
 pub(super) fn lists(given: &PiecewiseScene) -> [List; 2] {

@@ -16,8 +16,9 @@
 //! So the slopes `w'` at the nodes solve one tridiagonal system, with Newton's matrix (module `newton`) in other unknowns.
 
 use super::list::List;
+use super::overhang::Overhang;
 use super::piecewise::PiecewiseScene;
-use super::span::{Overhang, Span, fixed_end_of_load};
+use super::span::{Span, fixed_end_of_load};
 
 /// What changes, dimensionless and over `EI`.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -169,6 +169,15 @@ impl Shape {
         taylor[..terms].iter().skip(2).rev().fold(0.0, |sum, c| (sum + c) * t) * t.signum()
     }
 
+    /// True if [`Self::bow`] has all its digits over this length.
+    pub(super) fn is_one_series_over(&self, length: f64) -> bool {
+        match self {
+            Self::Long(_) => false,
+            Self::Gap { ground, own } => ground.is_one_series_over(length) && own.is_one_series_over(length),
+            _ => self.waves().into_iter().flatten().all(|wave| wave.number * length <= 1.0),
+        }
+    }
+
     /// Taylor coefficients `u^{(j)}(x) / j!` for all `j` below `out.len()`.
     pub(super) fn taylor(&self, x: f64, out: &mut [f64]) {
         out.fill(0.0);

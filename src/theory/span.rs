@@ -14,6 +14,7 @@
 //! by far less than they are.
 
 use super::cosine;
+use super::overhang::Overhang;
 use super::piecewise::PiecewiseScene;
 
 /// How a span begins or ends.
@@ -209,50 +210,6 @@ impl Span {
     }
 }
 
-/// What the loads beyond a place do to the beam, if nothing else acts there.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Overhang {
-    /// `∫q`.
-    pub(super) force: f64,
-    /// `∫q r`: `v''` at the place.
-    pub(super) moment: f64,
-    /// `∫q r²/2`: by how much the free end turns.
-    turn: f64,
-    /// `∫q r² (3ℓ − r)/6`: how far it sags.
-    sag: f64,
-}
-
-impl Overhang {
-    /// The loads between `x` and the left or the right end of the beam, without one just at `x`.
-    pub(super) fn of(given: &PiecewiseScene, x: f64, at_left: bool) -> Self {
-        let [from, to] = if at_left { [0.0, x] } else { [x, given.length] };
-        let mut sum = Self::default();
-        let length = to - from;
-        if length <= 0.0 {
-            return sum;
-        }
-        let mut add = |at: f64, force: f64| {
-            let r = (x - at).abs();
-            sum.force += force;
-            sum.moment += force * r;
-            sum.turn += force * r * r / 2.0;
-            sum.sag += force * r * r * (3.0 * length - r) / 6.0;
-        };
-        for (cell, [lo, hi]) in given.loaded([from, to], [given.cell_from(from), given.cell_to(to)]) {
-            for (t, weight) in given.load_rule.points(0.0, hi - lo) {
-                add(lo + t, weight * given.load_beyond(cell, lo, t));
-            }
-        }
-        for breakpoint in given.forces() {
-            let beyond = if at_left { breakpoint.x < x } else { x < breakpoint.x };
-            if beyond {
-                add(breakpoint.x, breakpoint.force);
-            }
-        }
-        sum
-    }
-}
-
 /// Whether a span is computed in its deflection, and not in its clearance: the one whose chord and bend are smaller.
 fn is_in_beam(given: &PiecewiseScene, [a, b]: [&End; 2], heights: [f64; 2], levels: [f64; 2], bends: [f64; 2]) -> bool {
     let chord = |at: [f64; 2]| 6.0 * at[0].abs().max(at[1].abs()) / ((b.x - a.x) * (b.x - a.x));
@@ -376,6 +333,12 @@ fn fixed_end(given: &PiecewiseScene, a: &End, b: &End, of: Drive) -> FixedEnd {
         }
     }
     given.forces_between(a.cell, b.cell).for_each(|j| add([j.x - a.x, b.x - j.x], sign * j.force));
+    for j in given.forces_between(a.cell, b.cell) {
+        let (s, r, couple) = ((j.x - a.x) / l, (b.x - j.x) / l, sign * j.couple);
+        moment = [moment[0] - couple * r * (r - 2.0 * s), moment[1] - couple * s * (2.0 * r - s)];
+        shear = [shear[0] + couple / l, shear[1] - couple / l];
+        clamped = [clamped[0] + 6.0 * couple * r * s / l, clamped[1] - 6.0 * couple * r * s / l];
+    }
     if of == Drive::Load {
         return FixedEnd { moment, shear, clamped };
     }

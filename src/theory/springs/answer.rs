@@ -1,6 +1,5 @@
 //! The beam on ground that gives as an [`Exact`] solution: contacts, forces, extremes and energy, in the units of the scene.
 
-use super::band::STATE;
 use super::bearings::{force, search_with};
 use super::{Part, StretchSet, beside, deepest, part_at};
 use crate::certificate::Stretch;
@@ -49,7 +48,7 @@ impl Springs {
 
     /// How many unknowns the beam on them has.
     pub(in crate::theory) fn unknowns(&self) -> usize {
-        STATE * self.parts.len()
+        4 * self.parts.len()
     }
 
     /// Places that are near enough to each other to see how the beam decays into the ground.

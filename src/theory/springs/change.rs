@@ -1,7 +1,7 @@
 //! Derivatives of the beam on ground that gives by the numbers of its scene.
 //!
 //! At the ends of the pressed stretches the pressure is zero, so that they do not move to the first order in what they carry: the
-//! change `v'` of the deflection is that of the beam on springs on the same stretches, a linear problem (`cells`) with the same matrix:
+//! change `v'` of the deflection is that of the beam on springs on the same stretches, a linear problem with the same matrix:
 //!
 //! ```text
 //! EI v'''' + k (v' − g') = q'        q' of a load;  g' = 1 as the ground sinks;  v' = 1 at a support that sinks
@@ -14,7 +14,7 @@
 
 use super::answer::{integral, rule};
 use super::bearings::force;
-use super::cells::{Drive, solve_driven};
+use super::chain::solve;
 use super::{Part, Springs};
 use crate::scene::{Scene, Support};
 use crate::theory::asked::Asked;
@@ -61,8 +61,14 @@ impl Exact {
         let Self { given, scale, .. } = self;
         let Asked { by, change: of, unit, one_sided, .. } = asked;
         let k = springs.stiffness;
-        let (changed, drive) = self.changed(springs, of);
-        let parts = solve_driven(&changed, k, &springs.stretches, &drive)?;
+        // The penetration is a load as a stiffness changes.
+        let sunk = match of {
+            Change::Stiffen => Some((&springs.parts[..], -k)),
+            Change::Unload => Some((&springs.parts[..], k)),
+            _ => None,
+        };
+        let changed = self.changed(of);
+        let parts = solve(&changed, k, &springs.stretches, sunk)?;
         let of_force = |value: f64| value * self.stiffness * scale.force / unit + 0.0;
         let supports = self.state.supports.iter().map(|support| {
             let at = given.breakpoints.partition_point(|b| b.x < support.at / scale.length);
@@ -90,9 +96,9 @@ impl Exact {
         Some(Derivative { by, one_sided, missing, supports: supports.collect(), contacts, energy })
     }
 
-    /// The scene of the change, and what else acts there.
-    fn changed<'a>(&self, springs: &'a Springs, of: Change) -> (PiecewiseScene, Drive<'a>) {
-        let (mut changed, mut drive) = (self.given.clone(), Drive::default());
+    /// The scene of the change.
+    fn changed(&self, of: Change) -> PiecewiseScene {
+        let mut changed = self.given.clone();
         let (loads, depth, more) = match of {
             Change::Unload => (-1.0, 0.0, 0.0),
             Change::Ground => (0.0, 1.0, 0.0),
@@ -113,12 +119,10 @@ impl Exact {
         let breakpoint = |x: f64| self.given.breakpoints.partition_point(|at| at.x < x);
         match of {
             Change::Force(x, more) => changed.breakpoints[breakpoint(x)].force = more,
-            Change::Move(x, force) => drive.couple = Some((breakpoint(x), -force)),
-            Change::Stiffen => drive.sunk = Some((&springs.parts, -springs.stiffness)),
-            Change::Unload => drive.sunk = Some((&springs.parts, springs.stiffness)),
+            Change::Move(x, force) => changed.breakpoints[breakpoint(x)].couple = -force,
             _ => {}
         }
-        (changed, drive)
+        changed
     }
 
     /// How an end of a stretch moves: not at all at an end of the beam or at a step of the ground.

@@ -1,7 +1,7 @@
 //! Ground that gives: unilateral springs, `p = k (v − g)` where the beam is pressed into the ground and nothing elsewhere.
 //!
 //! There is no list of contacts. `J` is convex with a continuous derivative, and its minimum is found by Newton's method in the space
-//! of deflections, each step of which is a linear problem (`cells`, `band`):
+//! of deflections, each step of which is a linear problem (`links`, `chain`):
 //!
 //! ```text
 //! S ← whole beam;    v ← the beam on springs that press on S,  S ← { v > g },    until S stays
@@ -12,13 +12,13 @@
 //! polynomials, and `change` how that changes with the numbers of the scene.
 
 mod answer;
-mod band;
 mod bearings;
-mod cells;
+mod chain;
 mod change;
+mod links;
 
 pub(super) use self::answer::{Springs, exact};
-use self::cells::solve;
+use self::chain::solve;
 use super::bernstein::sign_changes;
 use super::piece::{Piece, derivatives};
 use super::piecewise::PiecewiseScene;
@@ -98,7 +98,7 @@ impl Work {
         if self.is_done() {
             return None;
         }
-        let parts = solve(given, springs, stretches)?;
+        let parts = solve(given, springs, stretches, None)?;
         self.solves += 1;
         self.parts += parts.len();
         Some(parts)
@@ -113,7 +113,7 @@ fn search(given: &PiecewiseScene, springs: f64, work: &mut Work) -> Option<Stret
         return Some(settled);
     }
     let stretches = vec![[0.0, given.length]];
-    Some(StretchSet { parts: solve(given, springs, &stretches)?, stretches, solves: work.solves, settled: false })
+    Some(StretchSet { parts: solve(given, springs, &stretches, None)?, stretches, solves: work.solves, settled: false })
 }
 
 fn stiffening(given: &PiecewiseScene, springs: f64, factor: f64, work: &mut Work) -> Option<StretchSet> {
