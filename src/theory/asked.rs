@@ -1,116 +1,134 @@
-//! By what an answer is differentiated: which derivatives are asked for, and what is known of each before it is computed.
+//! By what an answer is differentiated.
 
-use super::changes::{Ground, curvature};
 use super::derivatives::By;
 use super::exact::Exact;
-use super::missing::Missing;
 use super::sensitivity::Change;
-use crate::scene::{PointLoad, Quantity, Scene, Support};
+use crate::scene::{Foundation, Quantity, Scene, Support};
+use crate::state::ContactState;
+
+/// A share of the size of a number of the scene that means nothing: none is known to seven digits, and conditions are met to twelve.
+pub(super) const NOTHING: f64 = 1e-7;
 
 /// A derivative to be computed.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Asked {
     pub(super) by: By,
-    pub(super) change: Change,
+    /// As the number falls, and as it grows: two where a support moves over a corner of the own shape.
+    pub(super) change: [Change; 2],
     pub(super) unit: f64,
-    /// Whether there are scenes beside this one, as the number falls and as it grows.
-    pub(super) open: [bool; 2],
-    /// Known to be another on the other side.
-    pub(super) one_sided: bool,
-    /// Why it is not there where the change parts ground and support.
-    pub(super) parts: Option<Missing>,
+    /// A change of the number that means nothing, in the units of the scene.
+    pub(super) least: f64,
 }
 
 impl Asked {
-    /// One of which nothing is known before.
-    fn by(quantity: Quantity, change: Change, unit: f64) -> Self {
-        Self { by: By::Number(quantity), change, unit, open: [true; 2], one_sided: false, parts: None }
+    /// On which sides of a scene, as the number falls and as it grows, its answer goes on: there is one with the same contacts, and it is
+    /// next to this one.
+    #[expect(clippy::float_cmp, reason = "a node at a load is exactly there")]
+    pub(super) fn sides(&self, scene: &Scene, exact: &Exact) -> [bool; 2] {
+        // A load that stands where a zone ends comes into the zone or leaves it, and what touches without a load may as well not.
+        let moves = |x: f64| matches!(self.change[0], Change::Move(at, _) if at == x);
+        if exact.list.zones().any(|zone| moves(zone.from) || moves(zone.to)) || exact.lies_without_load() {
+            return [false; 2];
+        }
+        self.beside(scene).map(|beside| {
+            let there = beside.and_then(|beside| exact.goes_on_in(&beside));
+            there.is_some_and(|there| is_next_to(&exact.state, &there, scene.beam().length()))
+        })
     }
+
+    /// The scene beside this one, on either side, if there is one.
+    pub(super) fn beside(&self, scene: &Scene) -> [Option<Scene>; 2] {
+        [-self.least, self.least].map(|step| match self.by {
+            By::Depth => scene.with_ground_moved(step).ok(),
+            By::Number(quantity) => scene.with_number(quantity, scene.number(quantity)? + step).ok(),
+        })
+    }
+}
+
+/// Whether two states have contacts and supports of the same kinds, with nearly the same forces at nearly the same places.
+fn is_next_to(state: &ContactState, other: &ContactState, length: f64) -> bool {
+    /// After a change by [`NOTHING`]: what jumps changes by more, and so does what grows like the root of the change.
+    const NEAR: f64 = 1e-4;
+    let kinds = |state: &ContactState| -> Vec<bool> {
+        let supports = state.supports.iter().map(|support| support.pushes_only && support.force <= 0.0);
+        state.contacts.iter().map(|contact| contact.end_forces.is_some()).chain(supports).collect()
+    };
+    let forces = |state: &ContactState| -> Vec<f64> {
+        let contacts =
+            state.contacts.iter().flat_map(|c| [c.force].into_iter().chain(c.end_forces.unwrap_or_default()));
+        state.supports.iter().map(|support| support.force).chain(contacts).collect()
+    };
+    let places = |state: &ContactState| -> Vec<f64> { state.contacts.iter().flat_map(|c| [c.from, c.to]).collect() };
+    let near = |a: Vec<f64>, b: Vec<f64>, size: f64| a.iter().zip(&b).all(|(a, b)| (a - b).abs() <= NEAR * size);
+    let largest = forces(state).into_iter().fold(0.0, |most: f64, force| most.max(force.abs()));
+    kinds(state) == kinds(other)
+        && near(forces(state), forces(other), largest)
+        && near(places(state), places(other), length)
 }
 
 impl Exact {
     /// All derivatives that are asked for, in their order.
     pub(super) fn asked(&self, scene: &Scene) -> Vec<Asked> {
-        let (scale, supports) = (&self.scale, self.at_supports(scene));
+        let (scale, length) = (&self.scale, scene.beam().length());
+        let forces = self.state.supports.iter().map(|support| support.force.abs());
+        let load = self.given.total_load * self.stiffness * scale.force;
+        let force = forces.chain([self.state.contact_force()]).fold(load, f64::max);
+        // At least what the loads do to a beam at rest.
+        let depth = self.state.deflection.magnitude().max(force / scale.force * scale.depth / 384.0);
+        let asked = |by, change, unit, size: f64| Asked { by, change: [change; 2], unit, least: NOTHING * size };
+        let number = |quantity, change, unit, size| asked(By::Number(quantity), change, unit, size);
         let mut all = Vec::new();
-        if scene.foundation().is_some() {
-            let open = [!supports.iter().any(|s| s.at_level), true];
-            let parts = supports.iter().find_map(|s| s.rests);
-            let (by, change, unit) = (By::Depth, Change::Ground, scale.depth);
-            all.push(Asked { by, change, unit, open, one_sided: false, parts });
+        all.extend(scene.foundation().map(|_| asked(By::Depth, Change::Ground, scale.depth, depth)));
+        let stiffness = scene.beam().bending_stiffness();
+        all.push(number(Quantity::BendingStiffness, Change::Unload, stiffness, stiffness));
+        all.extend(scene.ground_stiffness().map(|k| number(Quantity::GroundStiffness, Change::Stiffen, k, k)));
+        let more = 1.0 / self.stiffness;
+        all.push(number(Quantity::Uniform, Change::Uniform(more), scale.force / scale.length, force / length));
+        for (i, load) in scene.load().point().iter().enumerate() {
+            let (at, size) = (load.at / scale.length, load.force / scale.force / self.stiffness);
+            all.push(number(Quantity::PointForce(i), Change::Force(at, more), scale.force, force));
+            all.push(number(Quantity::PointAt(i), Change::Move(at, size), scale.length, length));
         }
-        all.push(Asked::by(Quantity::BendingStiffness, Change::Unload, scene.beam().bending_stiffness()));
-        let stiffer = |ground| Asked::by(Quantity::GroundStiffness, Change::Stiffen, ground);
-        all.extend(scene.ground_stiffness().map(stiffer));
-        let more = Change::Uniform(1.0 / self.stiffness);
-        all.push(Asked::by(Quantity::Uniform, more, scale.force / scale.length));
-        let loads = scene.load().point().iter().enumerate();
-        all.extend(loads.flat_map(|(i, load)| self.asked_of_load(scene, &supports, i, load)));
-        let given = scene.beam().supports_as_given();
-        let given = given.into_iter().enumerate();
-        all.extend(given.flat_map(|(i, support)| self.asked_of_support(scene, &supports, i, &support)));
+        for (given, support) in scene.beam().supports_as_given().into_iter().enumerate() {
+            let Some(i) = self.index_of(scene, &support) else { continue };
+            all.push(number(Quantity::SupportLevel(given), Change::Level(i), scale.depth, depth));
+            let moves = self.axis_beside(scene, support.at).map(|axis| Change::Support(i, axis));
+            let place = asked(By::Number(Quantity::SupportAt(given)), moves[0], scale.length, length);
+            all.extend(self.springs.is_none().then_some(Asked { change: moves, ..place }));
+        }
         all
     }
 
-    /// The size of a point load and its place.
-    fn asked_of_load(&self, scene: &Scene, supports: &[Ground], i: usize, load: &PointLoad) -> [Asked; 2] {
-        let (scale, at) = (&self.scale, load.at / self.scale.length);
-        let grows = Change::Force(at, 1.0 / self.stiffness);
-        let size = load.force / scale.force / self.stiffness;
-        // From a support to the ground beside it.
-        let onto = scene.beam().supports().iter().zip(supports).find(|(s, _)| s.at <= load.at && load.at <= s.at);
-        let onto = onto.and_then(|(_, here)| here.rests);
-        let moves = Asked {
-            open: [0.0 < at, at < self.given.length],
-            // At the end of a zone the other side is another stretch.
-            one_sided: self.ends_zone(at),
-            parts: self.pulls(at, size).then_some(Missing::Pulls).or(onto),
-            ..Asked::by(Quantity::PointAt(i), Change::Move(at, size), scale.length)
-        };
-        [Asked::by(Quantity::PointForce(i), grows, scale.force), moves]
-    }
-
-    /// The level of a support and, on rigid ground, its place.
-    fn asked_of_support(&self, scene: &Scene, supports: &[Ground], given: usize, support: &Support) -> Vec<Asked> {
-        let before = |these: &[Support]| these.iter().filter(|s| s.at < support.at).count();
-        let pushes = || supports.len() + before(scene.beam().bearings());
-        let i = if support.pushes_only { pushes() } else { before(scene.beam().supports()) };
-        let here = supports.get(i).copied().unwrap_or_default();
-        let level = |change: Change| Asked {
-            open: [true, !here.at_level],
-            parts: here.rests,
-            ..Asked::by(Quantity::SupportLevel(given), change, self.scale.depth)
-        };
+    /// The number by which the answer has a support: those that only push come after the others. On ground that gives, its breakpoint.
+    fn index_of(&self, scene: &Scene, support: &Support) -> Option<usize> {
         if self.springs.is_some() {
-            let at = self.given.breakpoint_at(support.at / self.scale.length);
-            return at.map(|at| level(Change::Level(at))).into_iter().collect();
+            return self.given.breakpoint_at(support.at / self.scale.length);
         }
-        vec![level(Change::Level(i)), self.asked_of_place(scene, &here, [given, i], support)]
+        let before = |these: &[Support]| these.iter().filter(|s| s.at < support.at).count();
+        let (held, bearings) = (scene.beam().supports(), scene.beam().bearings());
+        Some(if support.pushes_only { held.len() + before(bearings) } else { before(held) })
     }
 
-    /// The place of a support above this ground; `given` is its number in the scene and `i` that of the exact solution.
-    fn asked_of_place(&self, scene: &Scene, here: &Ground, [given, i]: [usize; 2], support: &Support) -> Asked {
-        let (scale, at_level) = (&self.scale, here.at_level);
-        let (at_left, at_right) = (support.at <= 0.0, scene.beam().length() <= support.at);
-        // Where the ground meets the support the beam may pass this place on one side only.
-        let blocked = match (at_left, at_right) {
-            (true, _) => [true, at_level && here.axis[1] <= 0.0],
-            (_, true) => [at_level && 0.0 <= here.axis[0], true],
-            _ => [at_level && 0.0 < here.axis[0], at_level && here.axis[1] < 0.0],
-        };
-        let side = usize::from(!blocked[1]);
-        let unit = scale.length / scale.depth;
-        let (own, kinked) = scene.beam().shape().map_or(([0.0; 2], false), |shape| {
-            let slopes = shape.sides(support.at).map(|[_, slope]| slope);
-            let kinked = slopes[0].total_cmp(&slopes[1]).is_ne();
-            ([slopes[side] * unit, curvature(shape, support.at) * unit * scale.length], kinked)
-        });
-        let touches = blocked == [true; 2] || (at_left || at_right) && here.rests.is_some();
-        Asked {
-            open: [0, 1].map(|to| !blocked[to] && (to == side || !kinked)),
-            one_sided: kinked || at_level && !here.flat,
-            parts: here.rests.filter(|_| !here.flat).or(touches.then_some(Missing::Touches)),
-            ..Asked::by(Quantity::SupportAt(given), Change::Support(i, own), scale.length)
+    /// Slope and curvature of the own shape to the left and to the right of a place, dimensionless.
+    fn axis_beside(&self, scene: &Scene, x: f64) -> [[f64; 2]; 2] {
+        let unit = self.scale.length / self.scale.depth;
+        let Some(shape) = scene.beam().shape() else { return [[0.0; 2]; 2] };
+        shape.sides(x).map(|[_, slope]| [slope * unit, curvature(shape, x) * unit * self.scale.length])
+    }
+}
+
+/// The second derivative of a profile, which is smooth there.
+fn curvature(profile: &Foundation, x: f64) -> f64 {
+    match profile {
+        Foundation::Flat { .. } | Foundation::Polyline { .. } => 0.0,
+        Foundation::Polynomial { coefficients } => {
+            #[expect(clippy::cast_precision_loss, reason = "a degree is a small number")]
+            let terms = coefficients.iter().enumerate().skip(2).rev().map(|(j, c)| (j * (j - 1)) as f64 * c);
+            terms.fold(0.0, |sum, c| sum * x + c)
+        }
+        Foundation::Cosine { amplitude, wavelength, phase, .. } => {
+            let rate = 2.0 * std::f64::consts::PI / wavelength;
+            -amplitude * rate * rate * libm::cos(rate * x + phase)
         }
     }
 }

@@ -8,10 +8,12 @@ use super::newton;
 use super::piecewise::PiecewiseScene;
 use super::search::Candidate;
 use super::shape::Shape;
+use super::solve::solve_near;
 use super::springs::Springs;
 use crate::certificate::Slope;
 use crate::scene::polynomial::{SHORT, long_degree};
 use crate::scene::{Foundation, Scale, Scene};
+use crate::state::ContactState;
 
 /// What an answer takes, however small its scene is, on two supports.
 const START: u64 = 50;
@@ -77,6 +79,19 @@ impl Exact {
         let found = Candidate { list, checked, steps: 0, lists: 1, samples: 0, converged: true };
         let stiffness = scaled.scene.beam().bending_stiffness();
         Some(Self::new(given, found, scaled.scale, stiffness))
+    }
+
+    /// Its state in a scene beside this one, if it goes on there: with its contacts moved and kept as they are; where these cannot be
+    /// carried over, with those of the answer there.
+    pub(super) fn goes_on_in(&self, scene: &Scene) -> Option<ContactState> {
+        let Some((given, list, converged)) = self.tried(scene) else {
+            return solve_near(scene, &[self]).ok().filter(|there| there.solved).map(|there| there.state);
+        };
+        let scaled = scene.scaled().ok()?;
+        let checked = check(&given, &list);
+        let found = Candidate { list, checked, steps: 0, lists: 1, samples: 0, converged };
+        let stiffness = scaled.scene.beam().bending_stiffness();
+        found.solved().then(|| Self::new(given, found, scaled.scale, stiffness).state)
     }
 
     /// How far the contacts of this solution, kept as they are, are from violating a condition in `scene`: a smooth function of

@@ -8,11 +8,8 @@
 //! ```
 
 use super::asked::Asked;
-use super::changes::AT_A_CHANGE;
-use super::conditions::{Conditions, Kept};
 use super::exact::Exact;
 use super::list::Node;
-use super::missing::Missing;
 use super::sensitivity::{Change, NodeChange, Sensitivity, standing};
 use super::springs::Springs;
 use crate::scene::{Quantity, Scene};
@@ -53,6 +50,26 @@ pub struct Derivative {
     pub energy: f64,
 }
 
+/// Why a derivative is not there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Missing {
+    /// On neither side of the scene are the contacts those of this answer.
+    Ends,
+    /// Nothing presses where a contact ends, so that the place is not determined.
+    Undetermined,
+}
+
+impl Missing {
+    /// The reason in words.
+    #[must_use]
+    pub fn reason(self) -> &'static str {
+        match self {
+            Self::Ends => "none: any change of the number changes what touches, or there is no scene beside this one",
+            Self::Undetermined => "in part: nothing presses where a contact ends, so that the place is not determined",
+        }
+    }
+}
+
 /// The derivatives of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactDerivative {
@@ -81,13 +98,7 @@ impl Exact {
             return self.derivatives_on_springs(springs, scene, asked);
         }
         let Some(linear) = self.sensitivity() else { return Vec::new() };
-        let (conditions, lies) = (self.conditions(), self.lies());
-        let of = |asked: Asked| {
-            // More load presses all of a stretch that lies on the ground, less of it none.
-            let unloaded = (lies && matches!(asked.change, Change::Uniform(_))).then_some(Missing::Unloaded);
-            self.derivative(&linear, &conditions, Asked { parts: asked.parts.or(unloaded), ..asked })
-        };
-        asked.into_iter().map(of).collect()
+        asked.into_iter().map(|asked| self.derivative(&linear, asked, asked.sides(scene, self))).collect()
     }
 
     /// How many derivatives are left out of [`Self::derivatives`] for there are too many numbers in all.
@@ -110,38 +121,30 @@ impl Exact {
         Sensitivity::of(&self.given, &self.list, &self.spans, &self.forces)
     }
 
-    /// The derivative that is asked for.
-    pub(super) fn derivative(&self, linear: &Sensitivity<'_>, conditions: &Conditions, asked: Asked) -> Derivative {
-        let Asked { by, change: of, unit, open, .. } = asked;
+    /// The derivative that is asked for; `holds` says on which sides of the scene the contacts are the same.
+    pub(super) fn derivative(&self, linear: &Sensitivity<'_>, asked: Asked, holds: [bool; 2]) -> Derivative {
+        let Asked { by, unit, .. } = asked;
         let nodes = &self.list.nodes;
-        let changes = linear.change(of, 1.0);
-        let Kept { sides, both, soon } = self.keeps(conditions, of, &changes);
-        let holds = [0, 1].map(|side| open[side] && sides[side]);
-        let (towards, changes) = if holds == [true, false] { (-1.0, linear.change(of, -1.0)) } else { (1.0, changes) };
-        let one_sided = asked.one_sided || !both || holds != [true; 2];
-        // Where the beam would be pulled onto the ground, or pushed off it, on either side, at once or soon.
-        let ends = if soon { Missing::Ends } else { Missing::Unloaded };
-        let parts = asked.parts.or((holds == [false; 2]).then_some(ends));
+        let (of, towards) = if holds == [true, false] { (asked.change[0], -1.0) } else { (asked.change[1], 1.0) };
+        let changes = linear.change(of, towards);
+        // The same contacts may go on in another way: a load that stands at the end of a zone comes into it, or leaves it.
+        let one_sided = holds != [true; 2] || changes != linear.change(asked.change[0], -1.0);
         let scaled = Scaled { exact: self, of, unit, towards };
-        let jumping = |i: usize| self.jumps(i, of, towards * changes[i].place);
-        let certain = |i: usize, value: f64| if self.unresolved(i) || jumping(i) { f64::NAN } else { value };
         let (mut supports, mut contacts) = (Vec::new(), Vec::new());
         for i in 0..=nodes.len() {
             if self.list.in_zone_before(i) {
-                let zone = scaled.zone(&changes, i);
-                let ends = zone.end_forces.map(|[from, to]| [certain(i - 1, from), certain(i, to)]);
-                contacts.push(ContactDerivative { end_forces: ends, ..zone });
+                contacts.push(scaled.zone(&changes, i));
             }
             let Some(node) = nodes.get(i) else { continue };
             if node.is_ground(&self.given) {
                 contacts.push(ContactDerivative {
                     from: scaled.place(changes[i].place),
                     to: scaled.place(changes[i].place),
-                    force: certain(i, scaled.force(self.forces[i], changes[i].force)),
+                    force: scaled.force(self.forces[i], changes[i].force),
                     end_forces: None,
                 });
             } else if node.any_support(&self.given).is_some() {
-                supports.push((node.x, certain(i, scaled.force(self.exerted(i), changes[i].force))));
+                supports.push((node.x, scaled.force(self.exerted(i), changes[i].force)));
             }
         }
         // The beam stays clear of a support that it has lifted off.
@@ -150,20 +153,17 @@ impl Exact {
         supports.extend(lifted.map(|at| (at, 0.0)));
         supports.sort_by(|a, b| a.0.total_cmp(&b.0));
         let supports = supports.into_iter().map(|(_, force)| force).collect();
-        if self.lies() {
-            // Whether the end of a stretch that lies on the ground touches it is not determined either.
-            let least = AT_A_CHANGE * self.state.contact_force().abs();
-            let unpressed = contacts.iter_mut().zip(&self.state.contacts).filter(|(_, c)| c.force.abs() <= least);
-            unpressed.for_each(|(change, _)| (change.from, change.to) = (f64::NAN, f64::NAN));
-        }
         let energy = self.energy_by(of, &changes) * self.stiffness * self.scale.energy() / unit + 0.0;
-        let jumps = (0..nodes.len()).any(jumping).then_some(Missing::Jumps);
-        let unresolved = || (0..nodes.len()).any(|i| self.unresolved(i)).then_some(Missing::Unresolved);
-        let determined = contacts.iter().all(|c| c.from.is_finite() && c.to.is_finite());
-        let undetermined = || (!determined).then_some(Missing::Undetermined);
-        let missing = parts.or(jumps).or_else(undetermined).or_else(unresolved);
-        let there = Derivative { by, one_sided, missing, supports, contacts, energy };
-        if parts.is_some() { there.without_numbers() } else { there }
+        let is_known = contacts.iter().all(|contact| contact.from.is_finite() && contact.to.is_finite());
+        let there = Derivative {
+            by,
+            one_sided,
+            missing: (!is_known).then_some(Missing::Undetermined),
+            supports,
+            contacts,
+            energy,
+        };
+        if holds == [false; 2] { there.without_numbers() } else { there }
     }
 
     /// What the support at node `i` exerts, over `EI`: one that holds the beam with the load that stands on it.
@@ -207,6 +207,7 @@ impl Exact {
 
 impl Derivative {
     fn without_numbers(mut self) -> Self {
+        self.missing = Some(Missing::Ends);
         self.supports.fill(f64::NAN);
         for contact in &mut self.contacts {
             let end_forces = contact.end_forces.map(|_| [f64::NAN; 2]);
@@ -243,7 +244,7 @@ impl Scaled<'_> {
         let given = &exact.given;
         let ends = [i - 1, i].map(|end| {
             let node = &exact.list.nodes[end];
-            let place = if exact.presses(end, i) { changes[end].place } else { f64::NAN };
+            let place = changes[end].place;
             match node.support(given) {
                 // The support is said to take all of what is carried there.
                 Some(_) => (node.x, place, 0.0, 0.0),

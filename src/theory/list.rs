@@ -138,11 +138,6 @@ impl List {
         (1..self.nodes.len()).filter(|&i| self.in_zone_before(i)).map(zone)
     }
 
-    /// True if a zone starts or ends at node `i`.
-    pub(super) fn ends_zone(&self, i: usize) -> bool {
-        self.in_zone_before(i) || self.in_zone_before(i + 1)
-    }
-
     /// True if the stretch that ends at node `i` is a zone.
     pub(super) fn in_zone_before(&self, i: usize) -> bool {
         i < self.nodes.len() && i.checked_sub(1).is_some_and(|left| self.nodes[left].lies)

@@ -48,7 +48,7 @@ pub(super) enum Change {
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// How a node and its force change.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct NodeChange {
     /// `z'`.
     pub(super) place: f64,
@@ -58,8 +58,6 @@ pub(super) struct NodeChange {
     pub(super) value: f64,
     /// `w'` to its left and to its right.
     pub(super) slopes: [f64; 2],
-    /// `w''` and `w'''` there, zero in a zone and beyond the beam.
-    pub(super) ends: Ends,
 }
 
 /// What a change puts on a stretch of the beam.
@@ -143,11 +141,11 @@ struct Ask {
 
 /// The change to the left and to the right of a node.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Ends {
+struct Ends {
     /// `w''`.
-    pub(super) bend: [f64; 2],
+    bend: [f64; 2],
     /// `w'''`.
-    pub(super) third: [f64; 2],
+    third: [f64; 2],
 }
 
 /// How the nodes of a list whose equations hold change, whatever changes: the matrix of the slopes is one, factored once.
@@ -224,7 +222,7 @@ impl<'a> Sensitivity<'a> {
             let [grown, _] = of.on_node(node.x, load);
             let moved = if place == 0.0 || jump == 0.0 { 0.0 } else { jump * place };
             let force = beside[i].third[0] - beside[i].third[1] + moved + grown;
-            NodeChange { place, force, value: asks[i].value, slopes: slopes[i], ends: beside[i] }
+            NodeChange { place, force, value: asks[i].value, slopes: slopes[i] }
         });
         changes.collect()
     }

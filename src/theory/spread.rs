@@ -1,7 +1,6 @@
 //! How far the forces of an exact answer are off if depths of the ground are: to first order, from its derivatives.
 
 use super::asked::Asked;
-use super::conditions::Conditions;
 use super::derivatives::By;
 use super::exact::Exact;
 use super::sensitivity::Change;
@@ -33,18 +32,15 @@ impl Exact {
             _ => None,
         });
         // Where the ground parts from a support forces change as a root of the distance.
-        let rests = |i: usize| {
-            nodes[i].rests_at_support(&self.given) || nodes[i].support(&self.given).is_some() && self.unresolved(i)
-        };
+        let rests = |i: usize| nodes[i].rests_at_support(&self.given);
         if (0..nodes.len()).any(rests) {
             return None;
         }
         let linear = self.sensitivity()?;
         stretches.into_iter().try_fold(none, |mut sum, (from, to)| {
             let of = Change::GroundUnder(from, to);
-            let (unit, open) = (self.scale.depth, [true; 2]);
-            let asked = Asked { by: By::Depth, change: of, unit, open, one_sided: false, parts: None };
-            let derivative = self.derivative(&linear, &Conditions::default(), asked);
+            let asked = Asked { by: By::Depth, change: [of; 2], unit: self.scale.depth, least: 0.0 };
+            let derivative = self.derivative(&linear, asked, [true; 2]);
             let add = |sum: &mut f64, by: f64| *sum += by.abs() * tolerance;
             sum.supports.iter_mut().zip(&derivative.supports).for_each(|(sum, &by)| add(sum, by));
             sum.contacts.iter_mut().zip(&derivative.contacts).for_each(|(sum, by)| add(sum, by.force));

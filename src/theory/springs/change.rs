@@ -17,11 +17,9 @@ use super::bearings::force;
 use super::chain::solve;
 use super::{Part, Springs};
 use crate::scene::{Scene, Support};
-use crate::theory::asked::Asked;
-use crate::theory::changes::AT_A_CHANGE;
-use crate::theory::derivatives::{ContactDerivative, Derivative};
+use crate::theory::asked::{Asked, NOTHING};
+use crate::theory::derivatives::{ContactDerivative, Derivative, Missing};
 use crate::theory::exact::Exact;
-use crate::theory::missing::Missing;
 use crate::theory::piecewise::PiecewiseScene;
 use crate::theory::sensitivity::Change;
 use crate::theory::shape::Shape;
@@ -36,8 +34,8 @@ impl Exact {
     ) -> Vec<Derivative> {
         let ties = self.has_ties(scene);
         let by = |asked: Asked| {
-            let one_sided = asked.one_sided || ties || asked.open != [true; 2];
-            self.on_springs_by(springs, Asked { one_sided, ..asked })
+            let one_sided = ties || asked.beside(scene).iter().any(Option::is_none);
+            self.on_springs_by(springs, asked, one_sided)
         };
         asked.into_iter().filter(|_| self.solved).filter_map(by).collect()
     }
@@ -49,17 +47,17 @@ impl Exact {
         let is_tie = |at: &Support| {
             let pushed = self.state.supports.iter().find(|s| s.pushes_only && s.at.total_cmp(&at.at).is_eq());
             pushed.is_some_and(|s| match 0.0 < s.force {
-                true => s.force <= AT_A_CHANGE * largest,
-                false => self.clearance(s.at) <= AT_A_CHANGE * deepest,
+                true => s.force <= NOTHING * largest,
+                false => self.clearance(s.at) <= NOTHING * deepest,
             })
         };
         scene.beam().bearings().iter().any(is_tie)
     }
 
     /// [`None`] where a number leaves the range of `f64`.
-    fn on_springs_by(&self, springs: &Springs, asked: Asked) -> Option<Derivative> {
+    fn on_springs_by(&self, springs: &Springs, asked: Asked, one_sided: bool) -> Option<Derivative> {
         let Self { given, scale, .. } = self;
-        let Asked { by, change: of, unit, one_sided, .. } = asked;
+        let Asked { by, change: [of, _], unit, .. } = asked;
         let k = springs.stiffness;
         // The penetration is a load as a stiffness changes.
         let sunk = match of {
@@ -92,8 +90,14 @@ impl Exact {
         let contacts: Vec<ContactDerivative> = springs.stretches.iter().map(contact).collect();
         let energy = self.energy_on_springs_by(springs, of) * self.stiffness * scale.energy() / unit + 0.0;
         let determined = contacts.iter().all(|contact| contact.from.is_finite() && contact.to.is_finite());
-        let missing = (!determined).then_some(Missing::Undetermined);
-        Some(Derivative { by, one_sided, missing, supports: supports.collect(), contacts, energy })
+        Some(Derivative {
+            by,
+            one_sided,
+            missing: (!determined).then_some(Missing::Undetermined),
+            supports: supports.collect(),
+            contacts,
+            energy,
+        })
     }
 
     /// The scene of the change.
