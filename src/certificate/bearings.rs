@@ -30,8 +30,13 @@ const SAME: f64 = 1e-12;
 /// Those of [`Scene::new`].
 pub(super) fn held(scene: &Scene, witness: &[Stretch]) -> Result<Scene, SceneError> {
     let length = scene.beam().length();
-    let hanging = || witness.iter().filter(|stretch| stretch.sunk.is_empty());
-    let ends = || hanging().flat_map(|s| [(s.from, s.ends[0][0]), (s.to, s.ends[1][0])]);
+    let shape = |x: f64| scene.beam().shape().map_or(0.0, |shape| shape.depth(x));
+    // What is said of a pressed stretch is how far it is sunk.
+    let deflection = |s: &Stretch, x: f64, end: [f64; 4]| {
+        let ground = if s.sunk.is_empty() { 0.0 } else { scene.depth(x) - shape(x) };
+        (x, ground + end[0])
+    };
+    let ends = || witness.iter().flat_map(|s| [deflection(s, s.from, s.ends[0]), deflection(s, s.to, s.ends[1])]);
     let size = ends().fold(0.0, |most: f64, (_, v)| most.max(v.abs()));
     let touches = |Bearing { at, gap }: Bearing| {
         ends().any(|(x, v)| is_same_place(x, at, length) && gap - SAME * size.max(gap.abs()) <= v)

@@ -83,7 +83,7 @@ impl Kkt {
                 let i = i + k;
                 let clearance = u[k] - v[i];
                 // Of the foot of a spring, on ground that gives.
-                let give = || grid.give(scene.stiffness_at(places[k]), from + k);
+                let give = || grid.give_of(scene, from + k);
                 let foot = if gives { clearance + give() * p[i] } else { clearance };
                 [
                     -foot,

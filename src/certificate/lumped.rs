@@ -96,8 +96,7 @@ impl Lumped {
         }
         let forces = inner.iter().map(|f| f.1.max(0.0)).collect();
         let nodes = bent(scene, &grid, first, forces)?;
-        let below = |node: usize| grid.give(scene.stiffness_at(grid.place(node)), node);
-        let foot = |(i, (h, p)): (usize, (&f64, &f64))| h + below(i + first) * p;
+        let foot = |(i, (h, p)): (usize, (&f64, &f64))| h + grid.give_of(scene, i + first) * p;
         let feet = nodes.clearance.iter().zip(&nodes.contact_force).enumerate().map(foot).collect();
         Ok(Self { load: ContactLoad::new(length, inner)?, nodes, intervals: grid.intervals(), feet })
     }
@@ -118,7 +117,8 @@ fn bent(given: &Scene, places: &Grid, first: usize, forces: Vec<f64>) -> Result<
     let supports: Vec<Option<usize>> = beam.supports().iter().map(|support| grid.node_at(support.at)).collect();
     let point = |(i, force): (usize, f64)| PointLoad { at: grid.place(i), force };
     let points = grid.nodal_loads(scene.load()).into_iter().enumerate().map(point).collect();
-    let lumped = Scene::new(beam.clone(), Load::new(beam, 0.0, Vec::new(), points)?, scene.foundation().cloned())?;
+    let load = Load::new(beam, 0.0, Vec::new(), points)?;
+    let lumped = Scene::above(beam.clone(), load, scene.foundation().cloned(), scene.ground_stiffness())?;
     // Supports have any force, and what stands on them is none of theirs.
     let pressing = (first..).zip(&forces).filter(|(node, _)| !supports.contains(&Some(*node)));
     let pressing =

@@ -38,6 +38,7 @@
 //! All numbers are rounded outwards: the inequalities hold for what is printed.
 
 mod bearings;
+mod beside;
 mod contact_load;
 mod double_sum;
 mod judged;

@@ -34,13 +34,14 @@
 //! `−M*(x)`; but at one place each time, and to the root of what is rounded of an energy. A gap is of the size of the square of
 //! that, and this its third root.
 
+use super::beside::lies_beside;
 use super::kernel::contact_node::{EnclosedScene, EnclosedSupport};
 use super::kernel::interval::Interval;
 use super::kernel::polynomial::Polynomial;
 use super::kernel::proof::Pair;
 use super::kernel::reference::OUTWARDS;
 use super::largest::extremes;
-use super::support_forces::{clear_from, lies_beside};
+use super::support_forces::clear_from;
 
 /// Bounds of the greatest and of the least moment; the former is [`None`] where nothing could be shown beside a support.
 pub(super) fn moments(enclosed: &EnclosedScene<'_>, pair: &Pair) -> [Option<Interval>; 2] {

@@ -17,26 +17,13 @@
 //!
 //! A support that only pushes is a point of the ground. Where the beam is clear of the ground beside it, its force follows in the
 //! same way; where the beam is clear of it, it is zero.
-//!
-//! Where the pair lies on the ground from a support on, the beam does so, too, and its shear is that of the ground, if the pressure
-//! `P = q − EI g''''` is not negative in a part of the width `w` beside the support, and
-//!
-//! ```text
-//! ∫ P φ dx > √( 2 gap ∫ EI φ''² dx ),     φ = s² (w − s)²:     ∫ φ dp* > 0, the beam touches in that part, at β say
-//! ```
-//!
-//! The clearance `h = g − v*` has `h = h' = 0` at `β`, `h = 0` at the support, and there `h' = 0` where the ground or the support
-//! leaves no other slope, or `h'' = g'' ≥ 0` at a simple support at the end of the beam. Where `h > 0`, `EI h'''' = −P ≤ 0`; but a
-//! beam that is built in or simply supported at the ends of such a place bends to the side to which its load acts everywhere, and so
-//! it does by such an end couple (their influence lines have one sign): there is no such place.
 
+use super::beside::{bends_away, lies_beside, lies_idle, opens};
 use super::kernel::contact_node::EnclosedScene;
 use super::kernel::distance::{factor, lines, on_part};
 use super::kernel::foundation::inside;
 use super::kernel::interval::Interval;
-use super::kernel::load::cells;
 use super::kernel::polynomial::{Polynomial, number};
-use super::kernel::pressing::pressure;
 use super::kernel::proof::{Pair, Piece};
 use super::kernel::reference::{Datum, Line, OUTWARDS};
 use super::largest::least_magnitude;
@@ -292,78 +279,15 @@ pub(super) fn clear_from(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, end:
             });
             off.fold(f64::INFINITY, f64::min) < part.clearance.divided(1).range(part.width).lo()
                 || pair.ground.is_none() && bends_away(enclosed, x, end, part.ends)
+                || opens(enclosed, pair, x, part.ends)
         } else {
             is_above(part)
         };
         let of_bearings = || part.ends.iter().filter(|y| stands(y)).all(|&y| is_clear_of(enclosed, pair, factor, y));
-        !part.piece.pressed && by && of_bearings()
+        !part.piece.pressed && (by && of_bearings() || lies_idle(enclosed, pair, x, part.ends))
     };
     let clear = parts(enclosed, pair, [x, end], is_above).take_while(is_clear).last();
     clear.map_or(x, |part| part.ends[towards])
-}
-
-/// Whether rigid ground bends away from the beam in a part beside a support at its level, from which the beam goes on to a free end:
-/// contact pushes up, wherever it is, and at a distance `s` from the support
-///
-/// ```text
-/// EI h'' = EI g'' + M ≥ EI g'' − ∫ |q| (ξ − s) dξ − Σ |P| (ξ − s) > 0,    h = 0 and h' ≥ 0 for s = 0:    h > 0
-/// ```
-///
-/// Into ground that gives a beam may sink beside the support, `h' < 0`.
-fn bends_away(enclosed: &EnclosedScene<'_>, x: f64, end: f64, part: [f64; 2]) -> bool {
-    let beyond = |place: f64| x.min(end) <= place && place <= x.max(end) && (place - x).abs() > 0.0;
-    let is_free = end <= 0.0 || enclosed.length <= end;
-    if !is_free || enclosed.supports.iter().any(|support| beyond(support.x)) {
-        return false;
-    }
-    let load = enclosed.load;
-    let (from, to) = (x.min(end), x.max(end));
-    let spread = cells(from, to, load.breaks(from, to)).into_iter().map(|cell| {
-        let most = cell.map(|x| load.line(x, cell)[0].magnitude()).into_iter().fold(0.0, f64::max);
-        let far = cell.map(|place| (place - x).abs()).into_iter().fold(0.0, f64::max);
-        Interval::exact(most) * Interval::length(cell[0], cell[1]) * Interval::exact(far * OUTWARDS)
-    });
-    let points = load.points.iter().filter(|(place, _)| beyond(*place));
-    let points =
-        points.map(|(place, force)| Interval::exact(force.magnitude()) * Interval::exact((place - x).abs() * OUTWARDS));
-    let bent = spread.chain(points).fold(Interval::ZERO, |sum, part| sum + part);
-    let width = Interval::length(part[0], part[1]);
-    let ground = enclosed.gap.about(part[0], part).derivative().derivative().times(Interval::exact(enclosed.stiffness));
-    bent.hi() < ground.range(width).lo()
-}
-
-/// Whether the beam lies on the ground beside a support, on its left or on its right side, as the pair does.
-pub(super) fn lies_beside(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, side: usize) -> bool {
-    /// Halvings of the part in which the pressure must not be negative.
-    const HALVINGS: usize = 8;
-    let Some(support) = enclosed.support(x) else { return false };
-    let (stiffness, to_the_left) = (Interval::exact(enclosed.stiffness), side == 0);
-    let is_beside = |piece: &&Piece| (if to_the_left { piece.to } else { piece.from }).total_cmp(&x).is_eq();
-    let Some(piece) = pair.pieces.iter().find(is_beside).filter(|piece| piece.pressed && pair.ground.is_none()) else {
-        return false;
-    };
-    let at_end = x <= 0.0 || enclosed.length <= x;
-    let fixed = support.is_fixed && (support.slope.is_none() || support.tangent[side]);
-    let hinged = at_end && support.slope.is_none() && 0.0 <= enclosed.gap.jet(x, to_the_left)[2].lo();
-    if !(support.at_level[side] && (fixed || hinged)) {
-        return false;
-    }
-    let cell = [piece.from, piece.to];
-    let pressure = pressure(enclosed, x, cell);
-    let pressure = if to_the_left { pressure.mirrored() } else { pressure };
-    let mut width = piece.to - piece.from;
-    for _ in 0..HALVINGS {
-        let w = Interval::exact(width);
-        let shape = Polynomial::new(&[Interval::ZERO, Interval::ZERO, w * w, -(number(2) * w), number(1)]);
-        // ∫ φ''² = 4 w⁵/5.
-        let square = number(4) * w.square() * w.square() * w / number(5);
-        let least = (number(2) * Interval::exact(pair.gap) * stiffness * square).sqrt().hi();
-        if 0.0 <= pressure.range(w).lo() && least < pressure.integral_of_product(&shape, w).lo() {
-            return true;
-        }
-        width *= 0.5;
-    }
-    false
 }
 
 /// Whether one place carries all of a load that is in balance above it, though the beam may turn about it. Contact on one

@@ -98,7 +98,11 @@ impl Discrete {
     /// How far what is below a node gives under a unit force: a support that only pushes does not.
     #[must_use]
     pub fn give(&self, node: usize) -> f64 {
-        if self.supports.pushing(node).is_some() { 0.0 } else { self.grid.give(self.ground, node) }
+        match self.supports.bearings() {
+            [] => self.grid.give(self.ground, node),
+            _ if self.supports.pushing(node).is_some() => 0.0,
+            _ => self.grid.give_beside(self.ground, node, |node| self.supports.is_sunk(node)),
+        }
     }
 
     /// The same of the ground below a node inside.

@@ -22,7 +22,7 @@ pub(crate) struct NodeBearing {
     pub(crate) node: usize,
     /// Where it stands.
     pub(crate) at: f64,
-    /// How far the ground lies below it; infinite where there is none.
+    /// How far the ground lies below it; infinite where there is none, and negative where it stands in the ground.
     below: f64,
 }
 
@@ -84,6 +84,11 @@ impl Supports {
     /// The one that only pushes at a node.
     pub(super) fn pushing(&self, node: usize) -> Option<&NodeBearing> {
         self.bearings.binary_search_by_key(&node, |bearing| bearing.node).ok().map(|i| &self.bearings[i])
+    }
+
+    /// Whether one that only pushes stands at a node in the ground.
+    pub(super) fn is_sunk(&self, node: usize) -> bool {
+        self.pushing(node).is_some_and(|bearing| bearing.below < 0.0)
     }
 
     /// How far the ground lies below the beam where it is on the support at a node.

@@ -163,8 +163,9 @@ impl Balance {
             (Ordering::Equal, _) => Ok(Self::Neutral { resultant: resultant(scene), about: ends[0] }),
             (_, Ordering::Equal) => Ok(Self::Neutral { resultant: resultant(scene), about: ends[1] }),
             (Ordering::Greater, Ordering::Greater) => {
-                let is_border = |at: f64| Sum::of_moments(scene, at).sign() == Ordering::Equal && !braced(scene, at);
-                if gives && scene.beam().bearings().iter().any(|bearing| is_border(bearing.at)) {
+                let is_border = |bearing: &&Support| Sum::of_moments(scene, bearing.at).sign() == Ordering::Equal;
+                let turns = |bearing: &Support| !braced(scene, bearing);
+                if gives && scene.beam().bearings().iter().filter(is_border).any(turns) {
                     return Err(Unheld::OnBorder { force: weight, at });
                 }
                 // Ground that gives carries nothing at a single place.
@@ -180,7 +181,7 @@ impl Balance {
         let (gives, ends) = (scene.ground_stiffness().is_some(), ends(scene));
         let turn = Sum::of_moments(scene, support.at);
         match turn.sign() {
-            Ordering::Equal if gives && braced(scene, support.at) => Ok(Self::Stands(resultant(scene))),
+            Ordering::Equal if gives && braced(scene, support) => Ok(Self::Stands(resultant(scene))),
             Ordering::Equal if gives => Err(Unheld::OnBorder { force: Sum::of_forces(scene).value(), at: support.at }),
             Ordering::Equal => Ok(Self::Neutral { resultant: resultant(scene), about: support.at }),
             Ordering::Greater if ends.is_some_and(|ends| support.at < ends[1]) => Ok(Self::Stands(resultant(scene))),
@@ -220,10 +221,12 @@ fn ends(scene: &Scene) -> Option<[f64; 2]> {
     }
 }
 
-/// Whether a support that only pushes on either side may keep the beam from turning about a place.
-fn braced(scene: &Scene, about: f64) -> bool {
+/// Whether a support that only pushes on either side, or an elastic foundation that begins at it or above it, may keep the beam from turning about
+/// a support.
+fn braced(scene: &Scene, about: &Support) -> bool {
     let bearings = scene.beam().bearings();
-    bearings.iter().any(|bearing| bearing.at < about) && bearings.iter().any(|bearing| about < bearing.at)
+    let is_between = bearings.iter().any(|bearing| bearing.at < about.at) && bearings.iter().any(|b| about.at < b.at);
+    is_between || scene.ground_stiffness().is_some() && scene.depth(about.at) <= about.level
 }
 
 /// The resultant of the loads; its place is no number if they have none.

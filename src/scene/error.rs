@@ -129,7 +129,7 @@ pub enum SceneError {
     /// A foundation that would push a support upwards: the problem has no solution.
     #[error(
         "the foundation must not lie above a support, but its depth at the support x = {} is {}, above the level {} of the \
-         support; on rigid ground no deflection satisfies both, and ground that gives is treated alike",
+         support: no deflection satisfies both on rigid ground; an elastic foundation (`stiffness`) may lie above a support",
         shown(*at),
         shown(*depth),
         shown(*level)
@@ -145,7 +145,7 @@ pub enum SceneError {
     /// A support that only pushes, in the ground or level with it: the beam can never reach it.
     #[error(
         "a support with pushes_only must stand above the ground, but at x = {} its level is {} and the depth of the foundation {}: \
-         the ground is in its way",
+         rigid ground is in its way; in an elastic foundation (`stiffness`) it may stand",
         shown(*at),
         shown(*level),
         shown(*depth)
@@ -169,8 +169,8 @@ pub enum SceneError {
     /// A foundation that starts at the level of a built-in support and rises from the beam: the problem has no solution.
     #[error(
         "the foundation must not rise above a beam that is built in, but at the built-in support x = {}, where it is level with \
-         the beam, its slope to the {side} of it is {}, and that of the beam is {}; on rigid ground no deflection satisfies both, \
-         and ground that gives is treated alike",
+         the beam, its slope to the {side} of it is {}, and that of the beam is {}: no deflection satisfies both on rigid ground; an \
+         elastic foundation (`stiffness`) may rise there",
         shown(*at),
         shown(*slope),
         shown(*held)
@@ -188,8 +188,8 @@ pub enum SceneError {
     /// A simple support in the bottom of a valley: the problem has no solution.
     #[error(
         "the foundation must not rise above the beam on both sides of a support, but at the simple support x = {}, where it is \
-         level with the beam, its slope against that of the own shape is {} to the left and {} to the right of it; on rigid \
-         ground no deflection satisfies both, and ground that gives is treated alike",
+         level with the beam, its slope against that of the own shape is {} to the left and {} to the right of it: no deflection \
+         satisfies both on rigid ground; an elastic foundation (`stiffness`) may rise there",
         shown(*at),
         shown(slopes[0]),
         shown(slopes[1])

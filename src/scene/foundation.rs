@@ -39,7 +39,7 @@ pub enum Foundation {
 }
 
 impl Foundation {
-    /// This foundation, checked for `beam`.
+    /// This foundation as rigid ground, checked for `beam`.
     ///
     /// # Errors
     ///
@@ -47,9 +47,19 @@ impl Foundation {
     /// end to end of the beam, depths that overflow, a foundation above a support by more than the rounding of its depth
     /// there, or one that rises beside a built-in support, at its level, faster than the beam there.
     pub fn checked(self, beam: &Beam) -> Result<Self, SceneError> {
+        let defined = self.defined_for(beam)?;
+        defined.check_at_supports(beam)?;
+        Ok(defined)
+    }
+
+    /// The same without what rigid ground must not do at supports.
+    pub(super) fn defined_for(self, beam: &Beam) -> Result<Self, SceneError> {
         self.check(Profile::Foundation, beam.length())?;
-        self.check_at_supports(beam)?;
-        Ok(self)
+        let supports = beam.supports().iter().chain(beam.bearings());
+        match supports.map(|support| support.at).find(|at| self.depth(*at).is_nan()) {
+            Some(at) => Err(self.overflow_at(at)),
+            None => Ok(self),
+        }
     }
 
     /// The checks that a foundation and an own shape have in common.

@@ -66,8 +66,27 @@ impl Grid {
     /// not give.
     #[must_use]
     pub fn give(&self, ground: Option<f64>, node: usize) -> f64 {
-        let width = if node == 0 || node == self.intervals { 0.5 } else { 1.0 } * self.spacing();
+        self.give_beside(ground, node, |_| false)
+    }
+
+    /// The same beside supports that only push and are sunk into the ground: each leaves half a spring to each of its neighbours, so
+    /// that it stands on its node alone.
+    pub(crate) fn give_beside(&self, ground: Option<f64>, node: usize, is_sunk: impl Fn(usize) -> bool) -> f64 {
+        let own = if node == 0 || node == self.intervals { 0.5 } else { 1.0 };
+        let beside = [node.checked_sub(1), Some(node + 1)].into_iter().flatten().filter(|node| is_sunk(*node));
+        let width = beside.fold(own, |width, _| width + 0.5) * self.spacing();
         ground.map_or(0.0, |k| 1.0 / (k * width))
+    }
+
+    /// The same of what is below a node of a scene: a support that only pushes does not give.
+    pub(crate) fn give_of(&self, scene: &Scene, node: usize) -> f64 {
+        let bearings = scene.beam().bearings();
+        let at = |node: usize| bearings.iter().find(|bearing| self.nearest(bearing.at / self.length) == node);
+        if at(node).is_some() {
+            return 0.0;
+        }
+        let is_sunk = |node: usize| at(node).is_some_and(|bearing| scene.stands_in_ground(bearing));
+        self.give_beside(scene.ground_stiffness(), node, is_sunk)
     }
 
     /// `x_i`, rounded once more than the product `l i`, so that a node at a round place hits it; the last one is the end of the beam.

@@ -61,9 +61,29 @@ impl Scene {
     ///
     /// Every [`SceneError`] of [`Load::new`] and [`Foundation::checked`].
     pub fn new(beam: Beam, load: Load, foundation: Option<Foundation>) -> Result<Self, SceneError> {
+        Self::above(beam, load, foundation, None)
+    }
+
+    /// The same above a foundation of a stiffness `k` \[force / length²\], rigid without. Supports may stand in an elastic foundation:
+    /// nothing forbids the beam to be pressed into it there.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`new`](Self::new), and of [`on_springs`](Self::on_springs).
+    pub fn above(
+        beam: Beam,
+        load: Load,
+        foundation: Option<Foundation>,
+        stiffness: Option<f64>,
+    ) -> Result<Self, SceneError> {
         let load = Load::new(&beam, load.uniform(), load.linear().to_vec(), load.point().to_vec())?;
-        let foundation = foundation.map(|f| f.checked(&beam)).transpose()?.map(Arc::new);
-        Ok(Self { title: String::new(), beam, load, foundation, stiffness: None, units: Units::default() })
+        let stiffness = stiffness.map(|k| error::positive(Quantity::GroundStiffness, k)).transpose()?;
+        let checked = |foundation: Foundation| match stiffness {
+            None => foundation.checked(&beam),
+            Some(_) => foundation.defined_for(&beam),
+        };
+        let foundation = foundation.map(checked).transpose()?.map(Arc::new);
+        Ok(Self { title: String::new(), beam, load, foundation, stiffness, units: Units::default() })
     }
 
     /// The same scene on ground that gives: under a penetration `v − g` it presses with `k (v − g)` and cannot pull, a unilateral
@@ -80,12 +100,6 @@ impl Scene {
     #[must_use]
     pub fn ground_stiffness(&self) -> Option<f64> {
         self.stiffness.filter(|_| self.foundation.is_some())
-    }
-
-    /// `k` of what is below a place: none where a support that only pushes stands, which does not give.
-    pub(crate) fn stiffness_at(&self, x: f64) -> Option<f64> {
-        let stands = |bearing: &Support| is_same_place(x, bearing.at, self.beam.length());
-        self.ground_stiffness().filter(|_| !self.beam.bearings().iter().any(stands))
     }
 
     /// The same scene on supports that hold in the places of those that only push and are `pressed`, without the others.
@@ -208,11 +222,12 @@ impl Scene {
         let beam = self.beam.scaled(scale, stiffness)?;
         let load = self.load.scaled(scale.length, scale.force);
         let foundation = self.foundation.as_ref().map(|f| f.scaled(scale.length, scale.depth));
-        let scene = Self::new(beam, load, foundation)?;
         // `F/L U = E/L⁴` is its unit, divided in an order that keeps every step in range.
-        let Some(k) = self.stiffness else { return Ok(scene) };
-        let value = k * scale.length * scale.length / stiffness * scale.length * scale.length;
-        let (quantity, what) = (Quantity::GroundStiffness, "the stiffness of the ground in these units");
-        if value.is_normal() { scene.on_springs(value) } else { Err(SceneError::Overflow { quantity, what, value }) }
+        let springs = self.stiffness.map(|k| k * scale.length * scale.length / stiffness * scale.length * scale.length);
+        if let Some(value) = springs.filter(|k| !k.is_normal()) {
+            let (quantity, what) = (Quantity::GroundStiffness, "the stiffness of the ground in these units");
+            return Err(SceneError::Overflow { quantity, what, value });
+        }
+        Self::above(beam, load, foundation, springs)
     }
 }

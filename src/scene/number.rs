@@ -91,11 +91,7 @@ impl Scene {
             None => beam,
         };
         let load = Load::new(&beam, uniform, linear, point)?;
-        let scene = Self::new(beam, load, foundation)?.labelled(self.title.clone(), self.units.clone());
-        match springs {
-            Some(k) => scene.on_springs(k),
-            None => Ok(scene),
-        }
+        Ok(Self::above(beam, load, foundation, springs)?.labelled(self.title.clone(), self.units.clone()))
     }
 
     /// The same scene with all of its ground moved downwards \[length\].
@@ -112,8 +108,8 @@ impl Scene {
             Some(Foundation::Cosine { mean, .. }) => *mean += down,
             Some(Foundation::Polyline { points }) => points.iter_mut().for_each(|point| point[1] += down),
         }
-        let moved = Self::new(self.beam.clone(), self.load.clone(), foundation)?;
-        Ok(Self { stiffness: self.stiffness, ..moved.labelled(self.title.clone(), self.units.clone()) })
+        let moved = Self::above(self.beam.clone(), self.load.clone(), foundation, self.stiffness)?;
+        Ok(moved.labelled(self.title.clone(), self.units.clone()))
     }
 
     /// The numbers that can be varied.

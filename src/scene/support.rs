@@ -114,15 +114,12 @@ pub(super) fn sorted(supports: Vec<Support>, length: f64) -> Result<Vec<(usize, 
 }
 
 impl Foundation {
-    /// No foundation lies above a support of `beam`, or at the level of one that only pushes, nor rises above the beam beside one in
+    /// No rigid foundation lies above a support of `beam`, or at the level of one that only pushes, nor rises above the beam beside one in
     /// which it is built in, nor on both sides of a simple one.
     pub(super) fn check_at_supports(&self, beam: &Beam) -> Result<(), SceneError> {
         let length = beam.length();
         for &Support { at, level, slope, pushes_only } in beam.supports().iter().chain(beam.bearings()) {
             let depth = self.depth(at);
-            if depth.is_nan() {
-                return Err(self.overflow_at(at));
-            }
             let within = self.level_within(at, length);
             if pushes_only {
                 if depth <= level + within {
@@ -174,6 +171,11 @@ impl Scene {
             .map(move |support| Bearing { at: support.at, gap: support.level - own(support.at) })
     }
 
+    /// Whether a support stands in an elastic foundation, below its surface.
+    pub(crate) fn stands_in_ground(&self, support: &Support) -> bool {
+        self.depth(support.at) < support.level
+    }
+
     fn held_by(&self, &Support { at, level, slope, .. }: &Support) -> Held {
         let [own, turn] =
             self.beam().shape().map_or([0.0; 2], |shape| shape.sides(at)[usize::from(at < self.beam().length())]);
@@ -189,7 +191,8 @@ impl Scene {
                 let rounding = pieces::LEVEL * (foundation.slope_size(at) + slope.unwrap_or(0.0).abs());
                 slope.is_none_or(|slope| (ground - slope).abs() <= rounding)
             });
-            let at_level = [!first && left <= level + within, !last && right <= level + within];
+            // Springs may be above it.
+            let at_level = [!first && (left - level).abs() <= within, !last && (right - level).abs() <= within];
             [at_level, [at_level[0] && along[0], at_level[1] && along[1]]]
         });
         Held { at, deflection: level - own, slope: slope.map(|slope| slope - turn), at_level, tangent }

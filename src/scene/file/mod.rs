@@ -134,8 +134,7 @@ fn assemble(
         beam = beam.with_shape(shape)?;
     }
     let load = Load::new(&beam, load.uniform, load.linear, load.point)?;
-    let scene = Scene::new(beam, load, foundation)?;
-    let scene = stiffness.map_or(Ok(scene.clone()), |k| scene.on_springs(k))?;
+    let scene = Scene::above(beam, load, foundation, stiffness)?;
     scene.scaled()?;
     Ok(scene)
 }

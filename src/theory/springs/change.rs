@@ -24,6 +24,11 @@ use crate::theory::piecewise::PiecewiseScene;
 use crate::theory::sensitivity::Change;
 use crate::theory::shape::Shape;
 
+/// Which supports stand in the foundation: as one comes into it a contact begins there.
+fn standing(scene: &Scene) -> impl Iterator<Item = bool> + '_ {
+    scene.beam().supports().iter().map(|support| scene.stands_in_ground(support))
+}
+
 impl Exact {
     /// The derivatives that are asked for of this solution of a scene on ground that gives.
     pub(in crate::theory) fn derivatives_on_springs(
@@ -34,7 +39,8 @@ impl Exact {
     ) -> Vec<Derivative> {
         let ties = self.has_ties(scene);
         let by = |asked: Asked| {
-            let one_sided = ties || asked.beside(scene).iter().any(Option::is_none);
+            let is_alike = |other: &Scene| standing(scene).eq(standing(other));
+            let one_sided = ties || asked.beside(scene).iter().any(|other| !other.as_ref().is_some_and(is_alike));
             self.on_springs_by(springs, asked, one_sided)
         };
         asked.into_iter().filter(|_| self.solved).filter_map(by).collect()

@@ -14,6 +14,7 @@ mod long;
 mod near;
 mod pushing;
 mod random;
+mod settled;
 mod springs;
 mod supports;
 mod surveys;

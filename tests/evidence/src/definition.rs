@@ -36,7 +36,7 @@ fn carried(scene: &Scene, exact: &Exact, [a, b]: [f64; 2]) -> [f64; 2] {
 }
 
 /// The distributed load at a place where no part of it begins or ends.
-fn intensity(scene: &Scene, x: f64) -> f64 {
+pub(crate) fn intensity(scene: &Scene, x: f64) -> f64 {
     let here = scene.load().linear().iter().filter(|q| q.from < x && x < q.to);
     here.fold(scene.load().uniform(), |sum, q| sum + q.start + (q.end - q.start) * ((x - q.from) / (q.to - q.from)))
 }

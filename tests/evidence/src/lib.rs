@@ -19,6 +19,7 @@ pub mod compare;
 pub mod definition;
 pub mod differences;
 pub mod draft;
+pub mod elements;
 pub mod exchanges;
 pub mod extremes;
 pub mod faults;

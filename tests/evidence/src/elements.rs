@@ -1,0 +1,211 @@
+//! A beam on an elastic foundation by finite elements, which shares nothing with the library but the data types of a scene: cubic
+//! elements, springs at the points of a quadrature, switched on where the beam is below the surface and off elsewhere until none
+//! changes, and around that supports that only push, switched in the same way.
+//!
+//! ```text
+//! (K + Σ k w NᵀN) u = f + Σ k w g Nᵀ        over the points with v > g;        R = (K u + … − f)  at what is held
+//! ```
+
+use palkki::scene::Scene;
+
+use crate::definition::{FIVE, intensity};
+
+/// Elements: with nodes at tenths and eighths of the beam. Rounding grows with the fourth power.
+const ELEMENTS: u32 = 400;
+
+/// Coefficients of a row of the band, the diagonal first: two freedoms a node, four an element.
+const BAND: usize = 4;
+
+/// Changes of a set that are made, at most.
+const CHANGES: usize = 200;
+
+/// What the elements say of a beam.
+#[derive(Debug, Clone)]
+pub struct Found {
+    /// Forces of all supports, from left to right, upwards.
+    pub supports: Vec<f64>,
+    /// What the springs press with in total.
+    pub contact: f64,
+    /// Places of the nodes, and deflections there.
+    pub deflection: Vec<[f64; 2]>,
+}
+
+/// Shape functions of an element of width `h` at `t h`.
+fn shape(t: f64, h: f64) -> [f64; 4] {
+    [
+        1.0 - 3.0 * t * t + 2.0 * t * t * t,
+        h * (t - 2.0 * t * t + t * t * t),
+        3.0 * t * t - 2.0 * t * t * t,
+        h * (t * t * t - t * t),
+    ]
+}
+
+/// A point of the quadrature: its element, shape functions, weight, and the depth of the ground.
+struct Point {
+    element: usize,
+    shape: [f64; 4],
+    weight: f64,
+    ground: f64,
+}
+
+/// The elements of a scene.
+struct Elements<'a> {
+    scene: &'a Scene,
+    nodes: Vec<f64>,
+    points: Vec<Point>,
+    load: Vec<f64>,
+}
+
+impl<'a> Elements<'a> {
+    fn of(scene: &'a Scene) -> Self {
+        let length = scene.beam().length();
+        let mut nodes: Vec<f64> = (0..=ELEMENTS).map(|i| length * f64::from(i) / f64::from(ELEMENTS)).collect();
+        nodes.extend(scene.beam().all_supports().iter().map(|support| support.at));
+        nodes.sort_by(f64::total_cmp);
+        nodes.dedup_by(|a, b| (*a - *b).abs() <= 1e-9 * length);
+        let own = |x: f64| scene.beam().shape().map_or(0.0, |shape| shape.depth(x));
+        let mut elements = Self { scene, points: Vec::new(), load: vec![0.0; 2 * nodes.len()], nodes };
+        for (element, pair) in elements.nodes.windows(2).enumerate() {
+            let width = pair[1] - pair[0];
+            for [place, share] in FIVE {
+                let t = 0.5 + 0.5 * place;
+                let (x, weight, shape) = (pair[0] + t * width, 0.5 * share * width, shape(t, width));
+                (0..BAND).for_each(|i| elements.load[2 * element + i] += weight * intensity(scene, x) * shape[i]);
+                elements.points.push(Point { element, shape, weight, ground: scene.depth(x) - own(x) });
+            }
+        }
+        for load in scene.load().point() {
+            let element = elements.nodes.partition_point(|x| *x <= load.at).clamp(1, elements.nodes.len() - 1) - 1;
+            let width = elements.nodes[element + 1] - elements.nodes[element];
+            let shape = shape((load.at - elements.nodes[element]) / width, width);
+            (0..BAND).for_each(|i| elements.load[2 * element + i] += load.force * shape[i]);
+        }
+        elements
+    }
+
+    fn node(&self, x: f64) -> usize {
+        let off = |i: &usize| (self.nodes[*i] - x).abs();
+        (0..self.nodes.len()).min_by(|a, b| off(a).total_cmp(&off(b))).expect("nodes")
+    }
+
+    /// `K u`, and its rows.
+    fn bending(&self) -> Vec<[f64; BAND]> {
+        let mut rows = vec![[0.0; BAND]; self.load.len()];
+        for (element, pair) in self.nodes.windows(2).enumerate() {
+            let h = pair[1] - pair[0];
+            let unit = self.scene.beam().bending_stiffness() / (h * h * h);
+            let [a, b, c] = [12.0 * unit, 6.0 * h * unit, 2.0 * h * h * unit];
+            let upper = [[a, b, -a, b], [2.0 * c, -b, c, 0.0], [a, -b, 0.0, 0.0], [2.0 * c, 0.0, 0.0, 0.0]];
+            for (i, row) in upper.iter().enumerate() {
+                rows[2 * element + i].iter_mut().zip(row).for_each(|(sum, value)| *sum += value);
+            }
+        }
+        rows
+    }
+
+    fn deflection(&self, u: &[f64], point: &Point) -> f64 {
+        (0..BAND).map(|i| point.shape[i] * u[2 * point.element + i]).sum()
+    }
+
+    /// The beam with these springs on and these freedoms held: its freedoms and what holds them.
+    fn solve(&self, k: f64, on: &[bool], held: &[(usize, f64)]) -> [Vec<f64>; 2] {
+        let (mut rows, mut right) = (self.bending(), self.load.clone());
+        for (point, _) in self.points.iter().zip(on).filter(|(_, on)| **on) {
+            let first = 2 * point.element;
+            for i in 0..BAND {
+                right[first + i] += k * point.weight * point.ground * point.shape[i];
+                (i..BAND).for_each(|j| rows[first + i][j - i] += k * point.weight * point.shape[i] * point.shape[j]);
+            }
+        }
+        let (all, loads) = (rows.clone(), right.clone());
+        for &(freedom, value) in held {
+            for away in 1..BAND {
+                if let Some(above) = freedom.checked_sub(away) {
+                    right[above] -= std::mem::take(&mut rows[above][away]) * value;
+                }
+                if freedom + away < right.len() {
+                    right[freedom + away] -= std::mem::take(&mut rows[freedom][away]) * value;
+                }
+            }
+            (rows[freedom][0], right[freedom]) = (1.0, value);
+        }
+        eliminate(&mut rows, &mut right);
+        let left = product(&all, &right);
+        [right, left.iter().zip(&loads).map(|(left, load)| load - left).collect()]
+    }
+}
+
+/// Solves a symmetric band, in place.
+fn eliminate(rows: &mut [[f64; BAND]], right: &mut [f64]) {
+    let count = rows.len();
+    for i in 0..count {
+        for away in (1..BAND).filter(|away| i + away < count) {
+            let factor = rows[i][away] / rows[i][0];
+            (away..BAND).for_each(|j| rows[i + away][j - away] -= factor * rows[i][j]);
+            right[i + away] -= factor * right[i];
+        }
+    }
+    for i in (0..count).rev() {
+        let known: f64 = (1..BAND).filter(|away| i + away < count).map(|away| rows[i][away] * right[i + away]).sum();
+        right[i] = (right[i] - known) / rows[i][0];
+    }
+}
+
+/// A symmetric band times a vector.
+fn product(rows: &[[f64; BAND]], u: &[f64]) -> Vec<f64> {
+    let mut all = vec![0.0; u.len()];
+    for (i, row) in rows.iter().enumerate() {
+        for (away, value) in row.iter().enumerate().filter(|(away, _)| i + away < u.len()) {
+            all[i] += value * u[i + away];
+            if 0 < away {
+                all[i + away] += value * u[i];
+            }
+        }
+    }
+    all
+}
+
+/// The beam of a scene on an elastic foundation; [`None`] where the sets go on changing.
+#[must_use]
+pub fn solved(scene: &Scene) -> Option<Found> {
+    let (elements, k) = (Elements::of(scene), scene.ground_stiffness()?);
+    let mut always = Vec::new();
+    for held in scene.held() {
+        let node = elements.node(held.at);
+        always.push((2 * node, held.deflection));
+        always.extend(held.slope.map(|slope| (2 * node + 1, slope)));
+    }
+    let bearings: Vec<(usize, f64)> = scene.bearings().map(|b| (2 * elements.node(b.at), b.gap)).collect();
+    let mut presses = vec![true; bearings.len()];
+    let size: f64 = elements.load.iter().step_by(2).map(|load| load.abs()).sum();
+    let mut on = vec![true; elements.points.len()];
+    for _ in 0..CHANGES {
+        let stands = bearings.iter().zip(&presses).filter(|(_, presses)| **presses).map(|(bearing, _)| *bearing);
+        let held: Vec<(usize, f64)> = always.iter().copied().chain(stands).collect();
+        let [u, lacking] = (0..CHANGES).find_map(|_| {
+            let [u, lacking] = elements.solve(k, &on, &held);
+            let next: Vec<bool> = elements.points.iter().map(|p| p.ground < elements.deflection(&u, p)).collect();
+            let stays = next == on;
+            on = next;
+            stays.then_some([u, lacking])
+        })?;
+        let wrong: Vec<usize> = (0..bearings.len())
+            .filter(|&i| {
+                let (freedom, level) = bearings[i];
+                if presses[i] { lacking[freedom] < -1e-9 * size } else { level + 1e-9 * level.abs() < u[freedom] }
+            })
+            .collect();
+        let Some(last) = wrong.last() else {
+            let below = |point: &Point| (elements.deflection(&u, point) - point.ground).max(0.0) * point.weight * k;
+            let force = |at: f64| lacking[2 * elements.node(at)];
+            let deflection = elements.nodes.iter().zip(u.iter().step_by(2)).map(|(x, v)| [*x, *v]).collect();
+            return Some(Found {
+                supports: scene.beam().all_supports().iter().map(|support| force(support.at)).collect(),
+                contact: elements.points.iter().map(below).sum(),
+                deflection,
+            });
+        };
+        presses[*last] = !presses[*last];
+    }
+    None
+}
