@@ -8,7 +8,7 @@ use super::contents::units;
 use super::problem::excerpt;
 use super::survey::{Survey, beside as named_beside};
 use super::table::{Error, Keys, Value};
-use super::{FileError, ReadProblem, Source};
+use super::{FileError, Found, ReadProblem, Source};
 use crate::body::matrix_market::{Reader, Wrong};
 use crate::body::proof::Brought;
 use crate::body::{Body, BodyProblem, Kind};
@@ -144,7 +144,7 @@ fn column(file: &Survey, quantities: &[&'static str], n: usize) -> Result<(usize
     let names: Vec<&str> = layout.fields(header, span.start).map(|(name, _)| name).collect();
     let Some(which) = quantities.iter().position(|quantity| names == ["i", quantity]) else {
         let expected = quantities.iter().map(|quantity| format!("`i,{quantity}`")).collect::<Vec<_>>().join(" or ");
-        return Err(file.error(span, BodyProblem::TableHeader { expected, found: excerpt(header) }.into()));
+        return Err(file.error(span, BodyProblem::TableHeader { expected, found: Found::of(header) }.into()));
     };
     let mut values: Vec<Option<f64>> = vec![None; n];
     for (row, span) in rows {
@@ -154,7 +154,7 @@ fn column(file: &Survey, quantities: &[&'static str], n: usize) -> Result<(usize
             return Err(file.error(span, BodyProblem::Fields { expected: "two numbers", found }.into()));
         };
         let Some(index) = i.parse().ok().filter(|i| (1..=n).contains(i)) else {
-            let (expected, found) = (format!("a whole number from 1 to {n}"), excerpt(i));
+            let (expected, found) = (format!("a whole number from 1 to {n}"), Found::of(i));
             return Err(file.error(place, BodyProblem::Number { quantity: "i", expected, found }.into()));
         };
         let value = file.number(layout, quantities[which], value)?;

@@ -1,8 +1,7 @@
 //! Contact forces as CSV, `x,force`, one force in each row, laid out like a survey.
 
-use super::problem::excerpt;
 use super::survey::Survey;
-use super::{FileError, Problem};
+use super::{FileError, Found, Problem};
 
 const FIELDS: [&str; 2] = ["x", "force"];
 
@@ -20,7 +19,7 @@ pub fn parse_forces(name: &str, text: &str, length: f64) -> Result<Vec<(f64, f64
         return Err(file.error(0..0, Problem::ForcesWithoutHeader));
     };
     if !layout.fields(header, span.start).map(|(name, _)| name).eq(FIELDS) {
-        return Err(file.error(span, Problem::ForcesHeader { found: excerpt(header) }));
+        return Err(file.error(span, Problem::ForcesHeader { found: Found::of(header) }));
     }
     let forces = rows.map(|(row, span)| {
         let mut given = layout.fields(row, span.start);

@@ -11,6 +11,7 @@ mod body;
 mod contents;
 mod error;
 mod forces;
+mod instead;
 mod locate;
 mod problem;
 mod survey;
@@ -22,7 +23,7 @@ use toml::de::DeTable;
 pub use body::{Beside, Model, parse_answers};
 pub use error::FileError;
 pub use forces::parse_forces;
-pub use problem::{Problem, ReadProblem};
+pub use problem::{Found, Problem, ReadProblem};
 
 use self::contents::{BeamKeys, Given, LoadKeys};
 use self::locate::Located;

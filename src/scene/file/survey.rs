@@ -8,9 +8,8 @@
 
 use std::path::Path;
 
-use super::problem::excerpt;
 use super::table::Span;
-use super::{FileError, Problem, ReadProblem, Source};
+use super::{FileError, Found, Problem, ReadProblem, Source};
 use crate::memory::can_be_had;
 
 const FIELDS: [&str; 2] = ["x", "depth"];
@@ -57,7 +56,7 @@ impl Survey {
             return Err(self.error(0..0, Problem::SurveyWithoutHeader));
         };
         if !layout.fields(header, span.start).map(|(name, _)| name).eq(FIELDS) {
-            return Err(self.error(span, Problem::SurveyHeader { found: excerpt(header) }));
+            return Err(self.error(span, Problem::SurveyHeader { found: Found::of(header) }));
         }
         rows.map(|(row, span)| self.point(layout, row, span)).collect()
     }
@@ -85,7 +84,7 @@ impl Survey {
         (text, span): Field<'_>,
     ) -> Result<f64, Box<FileError>> {
         let wrong = || {
-            let found = excerpt(text);
+            let found = Found::of(text);
             let problem = if layout.decimal_comma && text.contains('.') {
                 Problem::BothDecimalMarks { quantity, found }
             } else {

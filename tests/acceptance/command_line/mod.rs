@@ -5,6 +5,7 @@ mod certify;
 mod compare;
 mod exact;
 mod forces;
+mod help;
 mod hostile;
 mod json;
 mod output;
@@ -14,6 +15,10 @@ mod shown;
 mod steady;
 mod streams;
 mod sweep;
+mod told;
+#[cfg(unix)]
+mod untrusted;
+mod warnings;
 mod words;
 
 use std::fs;
