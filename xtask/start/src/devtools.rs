@@ -104,7 +104,7 @@ fn connected(profile: &Path) -> Result<TcpStream, String> {
     let host = format!("127.0.0.1:{port}");
     let socket = format!("ws://{host}");
     let path = loop {
-        let list = http(&host, "GET /json/list HTTP/1.1\r\nConnection: close\r\n")?.1;
+        let list = http(&host, "GET /json/list HTTP/1.1\r\n")?.1;
         let pages = list.split("webSocketDebuggerUrl").skip(1);
         let path =
             pages.filter_map(|page| page.split_once(&socket)?.1.split_once('"')).map(|(path, _)| path.to_owned());
@@ -123,19 +123,19 @@ fn connected(profile: &Path) -> Result<TcpStream, String> {
     if head.starts_with("HTTP/1.1 101") { Ok(stream) } else { Err(format!("no WebSocket: {head}")) }
 }
 
-/// Sends a request; the answer is all that comes until the stream is closed, or until the end of the head of a WebSocket.
+/// Sends a request; the answer is its head, and a body of the length that the head gives.
 fn http(host: &str, request: &str) -> Result<(TcpStream, String), String> {
     let mut stream = TcpStream::connect(host).map_err(said)?;
     stream.set_read_timeout(Some(PATIENCE)).map_err(said)?;
     stream.write_all(format!("{request}Host: {host}\r\n\r\n").as_bytes()).map_err(said)?;
     let (mut answer, mut byte) = (Vec::new(), [0]);
-    let is_socket = request.contains("Upgrade");
-    while stream.read(&mut byte).map_err(said)? == 1 {
+    while !answer.ends_with(b"\r\n\r\n") {
+        stream.read_exact(&mut byte).map_err(said)?;
         answer.push(byte[0]);
-        if is_socket && answer.ends_with(b"\r\n\r\n") {
-            break;
-        }
     }
+    let head = String::from_utf8_lossy(&answer).to_lowercase();
+    let length = head.split_once("content-length:").and_then(|(_, rest)| rest.lines().next()?.trim().parse().ok());
+    (&stream).take(length.unwrap_or(0)).read_to_end(&mut answer).map_err(said)?;
     Ok((stream, String::from_utf8_lossy(&answer).into_owned()))
 }
 
