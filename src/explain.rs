@@ -28,6 +28,9 @@ use crate::theory::gauss::Gauss;
 /// Places that are one, as a share of the length of the beam.
 const SAME: f64 = 1e-12;
 
+/// Two shear forces that differ by less than this share differ by the distributed load between them, over [`SAME`], and not by a force.
+const NEARBY: f64 = 1e-9;
+
 /// What stands at a node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum What {
@@ -260,7 +263,8 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<Node> {
         // Beside whatever acts at this place, and back along a line; at a free end what stands there.
         let beside = |side: usize, way: f64| {
             let [near, far] = [way, 2.0 * way].map(|way| exact.shear((x + way).clamp(0.0, length))[side]);
-            near + (near - far)
+            // Not if a force acts between the two.
+            if (near - far).abs() <= NEARBY * near.abs() { near + (near - far) } else { near }
         };
         let here = SAME * length;
         let shears = match what {
