@@ -28,7 +28,7 @@ use crate::theory::gauss::Gauss;
 /// Places that are one, as a share of the length of the beam.
 const SAME: f64 = 1e-12;
 
-/// Two shear forces that differ by less than this share differ by the distributed load between them, over [`SAME`], and not by a force.
+/// Shear forces at two places so near differ by less than this share if no force acts between them.
 const NEARBY: f64 = 1e-9;
 
 /// What stands at a node.
@@ -263,7 +263,6 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<Node> {
         // Beside whatever acts at this place, and back along a line; at a free end what stands there.
         let beside = |side: usize, way: f64| {
             let [near, far] = [way, 2.0 * way].map(|way| exact.shear((x + way).clamp(0.0, length))[side]);
-            // Not if a force acts between the two.
             if (near - far).abs() <= NEARBY * near.abs() { near + (near - far) } else { near }
         };
         let here = SAME * length;

@@ -157,7 +157,7 @@ const INSTEAD: &[Instead] = &[
     Instead {
         table: "load.point[]",
         keys: &["moment", "couple"],
-        write: &[("", "moments are not part of a point force; see `couple` or `moment` in [load]")],
+        write: &[("", "a point force has no moment; a moment M at x is two forces -M/d at x - d/2 and M/d at x + d/2")],
     },
     Instead {
         table: "foundation",
