@@ -133,7 +133,7 @@ impl Files<'_> {
     ) -> Result<Vec<f64>, Box<FileError>> {
         let path = value.line_of_text().map_err(|error| self.source.error(error.span, error.problem))?;
         let text = self.beside.text(&path).map_err(|problem| self.unreadable(key, &path, value, problem))?;
-        column(&Survey { name: named_beside(self.source.name, &path), text }, &[quantity], n).map(|(_, values)| values)
+        column(&Survey::new(named_beside(self.source.name, &path), text), &[quantity], n).map(|(_, values)| values)
     }
 }
 
@@ -157,7 +157,7 @@ fn column(file: &Survey, quantities: &[&'static str], n: usize) -> Result<(usize
             let (expected, found) = (format!("a whole number from 1 to {n}"), Found::of(i));
             return Err(file.error(place, BodyProblem::Number { quantity: "i", expected, found }.into()));
         };
-        let value = file.number(layout, quantities[which], value)?;
+        let value = file.number(&layout, quantities[which], value)?;
         if values[index - 1].replace(value).is_some() {
             return Err(file.error(place, BodyProblem::RowTwice(index).into()));
         }
@@ -171,7 +171,7 @@ fn column(file: &Survey, quantities: &[&'static str], n: usize) -> Result<(usize
 ///
 /// Text that is not such a file, with line and column.
 pub fn parse_answers(name: &str, text: &str, body: &Body) -> Result<Brought, Box<FileError>> {
-    let file = Survey { name: name.to_owned(), text: text.to_owned() };
+    let file = Survey::new(name.to_owned(), text.to_owned());
     let (which, values) = column(&file, &["force", "clearance"], body.program().dimension())?;
     Ok(if which == 0 { Brought::Force(values) } else { Brought::Clearance(values) })
 }

@@ -4,6 +4,7 @@ use std::fmt;
 
 use super::Problem;
 use super::problem::is_forbidden;
+use super::survey::line_end;
 use super::table::Span;
 
 /// Why a file is no scene, or no survey.
@@ -60,16 +61,12 @@ impl FileError {
     /// The message with its picture, in colours of a terminal if `colour`. Without the feature `cli` there is no picture.
     #[must_use]
     pub fn render(&self, colour: bool) -> String {
-        // Names of files and keys may hold anything; what is not printable must not reach a terminal.
+        // Names of files, keys and columns may hold anything; what is not printable must not reach a terminal.
         let title = printable(&self.problem.to_string());
         let file = printable(&self.file);
-        picture(
-            &title,
-            &file,
-            self.place.as_ref(),
-            [self.problem.expected(), self.problem.help().map(str::to_owned)],
-            colour,
-        )
+        let lines = |text: String| text.split('\n').map(printable).collect::<Vec<_>>().join("\n");
+        let notes = [self.problem.expected(), self.problem.help()].map(|note| note.map(lines));
+        picture(&title, &file, self.place.as_ref(), notes, colour)
     }
 }
 
@@ -144,13 +141,14 @@ impl Place {
     fn of(text: &str, span: Span) -> Self {
         let start = floor_char_boundary(text, span.start);
         let end = floor_char_boundary(text, span.end).max(start);
-        let line_start = text[..start].rfind('\n').map_or(0, |i| i + 1);
-        let line_end = text[start..].find('\n').map_or(text.len(), |i| start + i);
+        let line_break = line_end(text);
+        let line_start = text[..start].rfind(line_break).map_or(0, |i| i + 1);
+        let line_end = text[start..].find(line_break).map_or(text.len(), |i| start + i);
         let line_end = if text[line_start..line_end].ends_with('\r') { line_end - 1 } else { line_end };
         let line = &text[line_start..line_end];
         let start = start.min(line_end);
         Self {
-            line: text[..line_start].matches('\n').count() + 1,
+            line: text[..line_start].matches(line_break).count() + 1,
             column: text[line_start..start].chars().count() + 1,
             text: Some(line.replace(is_c1, "\u{b7}")),
             marked: start - line_start..end.min(line_end) - line_start,

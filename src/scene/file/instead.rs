@@ -172,7 +172,8 @@ const INSTEAD: &[Instead] = &[
         keys: &["elevation", "elevations", "level", "levels", "height", "gap", "z"],
         write: &[(
             "depth",
-            "write the depth below the line of the supports, which counts downwards: depth = datum - elevation",
+            "write the depth below the line of the supports: depth = datum - elevation. A survey of elevations is read as \
+             `survey = { file = …, x = …, elevation = …, datum = … }`",
         )],
     },
     Instead {
@@ -233,7 +234,7 @@ mod tests {
                 let message = error.to_string();
                 assert!(message.contains("unknown key"), "{message}");
                 let help = error.problem.help().unwrap_or_else(|| panic!("{key} in {table:?} has no help: {message}"));
-                assert!(write.iter().any(|(_, text)| *text == help) && message.contains(help), "{message}");
+                assert!(write.iter().any(|(_, text)| *text == help) && message.contains(&help), "{message}");
                 asked += 1;
             }
         }

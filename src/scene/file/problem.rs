@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::instead::instead;
+use super::survey_problem::{MARKS, SurveyProblem};
 use crate::body::BodyProblem;
 use crate::scene::error::against;
 use crate::scene::{Profile, SceneError};
@@ -161,21 +162,9 @@ pub enum Problem {
     /// A body is none.
     #[error(transparent)]
     Body(#[from] BodyProblem),
-    /// A survey without its header.
-    #[error("a survey must begin with the header `x,depth`, but begins with {found}")]
-    SurveyHeader {
-        /// What is there.
-        found: Found,
-    },
-    /// A survey without anything in it.
-    #[error("the survey has neither header nor points")]
-    SurveyWithoutHeader,
-    /// A row of a survey that is not a point.
-    #[error("a row of a survey must have 2 fields, x and depth, but this one has {found}")]
-    SurveyFields {
-        /// How many it has.
-        found: usize,
-    },
+    /// A survey is none.
+    #[error(transparent)]
+    Survey(#[from] SurveyProblem),
     /// Contact forces without their header.
     #[error("contact forces must begin with the header `x,force`, but begin with {found}")]
     ForcesHeader {
@@ -207,9 +196,11 @@ pub enum Problem {
         /// What is there.
         found: Found,
     },
-    /// A decimal point in a file that has decimal commas.
-    #[error("`{quantity}` is {found}, but other numbers of this file have a decimal comma")]
+    /// A decimal point in a file that has decimal commas, or the other way round.
+    #[error("`{quantity}` is {found}, but other numbers of this file have a decimal {}", if *mark == ',' { "comma" } else { "point" })]
     BothDecimalMarks {
+        /// The mark of the others, a comma or a point.
+        mark: char,
         /// `x`, `depth` or `force`.
         quantity: &'static str,
         /// What is there.
@@ -244,11 +235,11 @@ impl Problem {
     /// The same problem; the message repeats no text of the file.
     pub(super) fn without_text(mut self) -> Self {
         match &mut self {
-            Self::SurveyHeader { found }
-            | Self::ForcesHeader { found }
-            | Self::SurveyNumber { found, .. }
-            | Self::BothDecimalMarks { found, .. } => *found = Found::NotShown,
+            Self::ForcesHeader { found } | Self::SurveyNumber { found, .. } | Self::BothDecimalMarks { found, .. } => {
+                *found = Found::NotShown
+            }
             Self::Body(problem) => problem.hide_text(),
+            Self::Survey(problem) => problem.hide_text(),
             _ => {}
         }
         self
@@ -256,9 +247,10 @@ impl Problem {
 
     /// What to do instead, of mistakes that are made often.
     #[must_use]
-    pub fn help(&self) -> Option<&'static str> {
+    pub fn help(&self) -> Option<String> {
         match self {
-            Self::UnknownKey { key, table, known } => instead(key, table, known),
+            Self::UnknownKey { key, table, known } => instead(key, table, known).map(str::to_owned),
+            Self::Survey(problem) => problem.help(),
             _ => None,
         }
     }
@@ -275,10 +267,8 @@ impl Problem {
             Self::BothDecimalMarks { .. } => {
                 Some("expected one decimal mark in all numbers, and nothing between thousands".to_owned())
             }
-            Self::SurveyFields { found: 3.. } | Self::ForcesFields { found: 3.. } => Some(
-                "expected decimal points; with decimal commas, `;` between the fields, in the header as well"
-                    .to_owned(),
-            ),
+            Self::ForcesFields { found: 3.. } => Some(MARKS.to_owned()),
+            Self::Survey(problem) => problem.expected(),
             Self::KeyTwice { .. } => Some("expected only once".to_owned()),
             Self::NoProfileKind { of, .. } => {
                 Some(format!("expected exactly one of them, or no {} at all", table_of(*of)))
@@ -290,10 +280,6 @@ impl Problem {
             Self::ForcesHeader { .. } | Self::ForcesWithoutHeader => {
                 Some("expected `x,force`, then one force in each row".to_owned())
             }
-            Self::SurveyHeader { .. } | Self::SurveyWithoutHeader => Some(
-                "expected `x,depth`, then one point in each row; depth counts downwards, elevations count upwards"
-                    .to_owned(),
-            ),
             _ => None,
         }
     }
@@ -311,7 +297,7 @@ fn table_of(profile: Profile) -> &'static str {
     }
 }
 
-fn list(keys: &[&str]) -> String {
+pub(super) fn list(keys: &[&str]) -> String {
     let keys: Vec<_> = keys.iter().map(|key| format!("`{key}`")).collect();
     keys.join(", ")
 }

@@ -8,6 +8,7 @@ mod forces;
 mod help;
 mod hostile;
 mod json;
+mod layouts;
 mod output;
 mod refinement;
 mod scene_file;

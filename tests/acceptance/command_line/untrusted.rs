@@ -14,6 +14,8 @@ fn naming(path: &str) -> Vec<(&'static str, String)> {
     let body = |keys: &str| format!("[body]\n{}\n", keys.replace("PATH", path));
     vec![
         ("foundation.survey", SURVEYED.replace("levels.csv", path)),
+        ("columns by number", SURVEYED.replace("'levels.csv'", &format!("{{ file = '{path}', x = 1, depth = 2 }}"))),
+        ("columns by name", SURVEYED.replace("'levels.csv'", &format!("{{ file = '{path}', x = 'x', depth = 'u' }}"))),
         (
             "beam.shape.survey",
             format!(
