@@ -21,6 +21,9 @@ pub(super) struct Reader<'a> {
     places: [usize; 2],
     /// Fields of the header, or of the first row.
     width: usize,
+    /// Origin and datum of the columns.
+    origin: Option<Decimal>,
+    datum: Option<Decimal>,
     /// Lengths between stations.
     station: Cell<Option<f64>>,
 }
@@ -38,7 +41,8 @@ impl<'a> Reader<'a> {
         };
         let reader = |layout: Layout, row, behind, places| {
             let width = layout.fields(row, 0).count();
-            Self { survey, columns, layout, behind, places, width, station: Cell::new(None) }
+            let [origin, datum] = [columns.origin, columns.datum].map(|number| number.map(Decimal::of));
+            Self { survey, columns, layout, behind, places, width, origin, datum, station: Cell::new(None) }
         };
         if let (Column::Number(x), Column::Number(value)) = (&columns.x, &columns.value) {
             let separator = survey.separator(first);
@@ -132,7 +136,10 @@ impl<'a> Reader<'a> {
 
     /// Whether a row parted by commas has more fields than the header: some of its commas may be decimal marks.
     fn is_wide(&self, row: &str) -> bool {
-        self.layout.separator == ',' && self.layout.fields(row, 0).skip(self.width).any(|(text, _)| !text.is_empty())
+        // Most rows have no more commas than the header.
+        self.layout.separator == ','
+            && self.width <= row.bytes().filter(|byte| *byte == b',').count()
+            && self.layout.fields(row, 0).skip(self.width).any(|(text, _)| !text.is_empty())
     }
 
     /// Whether a row has no value: a mark in its place, or nothing at all in both.
@@ -145,7 +152,7 @@ impl<'a> Reader<'a> {
     /// The place on the beam \[length\].
     fn at(&self, x: Field<'_>) -> Result<f64, Box<FileError>> {
         let x = self.length(x)?;
-        Ok(match self.columns.origin.map(Decimal::of) {
+        Ok(match self.origin {
             Some(origin) if self.columns.falls => origin.minus(x),
             Some(origin) => x.minus(origin),
             None => x,
@@ -156,7 +163,7 @@ impl<'a> Reader<'a> {
     fn point(&self, x: Field<'a>, value: Field<'a>) -> Result<[f64; 2], Box<FileError>> {
         let x = self.at(x)?;
         let value = self.survey.decimal(&self.layout, self.columns.quantity(), value)?;
-        let depth = self.columns.datum.map_or(value, |datum| Decimal::of(datum).minus(value));
+        let depth = self.datum.map_or(value, |datum| datum.minus(value));
         Ok([x, depth.value])
     }
 }
