@@ -28,6 +28,9 @@ use crate::theory::gauss::Gauss;
 /// Places that are one, as a share of the length of the beam.
 const SAME: f64 = 1e-12;
 
+/// Shear forces at two places so near differ by less than this share if no force acts between them.
+const NEARBY: f64 = 1e-9;
+
 /// What stands at a node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum What {
@@ -257,15 +260,16 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<Node> {
         let (deflection, moments) = (exact.deflection(x), exact.moments(x));
         let here = scene.load().point().iter().filter(|load| (load.at - x).abs() <= SAME * length);
         let load = here.fold(0.0, |sum, load| sum + load.force);
-        // Beside whatever acts at this place; at a free end, what stands there: beside it a distributed load is in it, too.
-        let [left, right] = [x - SAME * length, x + SAME * length];
+        // Beside whatever acts at this place, and back along a line; at a free end what stands there.
+        let beside = |side: usize, way: f64| {
+            let [near, far] = [way, 2.0 * way].map(|way| exact.shear((x + way).clamp(0.0, length))[side]);
+            if (near - far).abs() <= NEARBY * near.abs() { near + (near - far) } else { near }
+        };
+        let here = SAME * length;
         let shears = match what {
             What::End if x <= 0.0 => [0.0, -load],
             What::End => [load, 0.0],
-            _ => [
-                if 0.0 < left { exact.shear(left)[0] } else { 0.0 },
-                if right < length { exact.shear(right)[1] } else { 0.0 },
-            ],
+            _ => [if here < x { beside(0, -here) } else { 0.0 }, if x + here < length { beside(1, here) } else { 0.0 }],
         };
         Node { what, x, deflection, slope: follows.then(|| exact.slope(x)), moments, shears, load, force }
     };

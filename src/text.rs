@@ -1,5 +1,5 @@
-//! Numbers as text: for a reader of figures and documents, with a minus sign for the hyphen and powers of ten as such, and for tables
-//! that another program may read as well.
+//! Numbers, and titles, as text: for a reader of figures and documents, with a minus sign for the hyphen and powers of ten as such,
+//! and for tables that another program may read as well.
 
 /// `value` to `digits` significant digits, without trailing zeros; `2.5·10⁻⁷` where that is shorter.
 #[must_use]
@@ -63,6 +63,14 @@ fn typeset(text: &str) -> String {
         Some(rest) => format!("−{rest}"),
         None => text.to_owned(),
     }
+}
+
+/// A text that Markdown shows as it is written. Titles and units come from a scene file, and may contain tags or links.
+#[must_use]
+pub fn markdown_text(text: &str) -> String {
+    /// Characters that have a meaning in Markdown, and none with a backslash before them.
+    const MARKS: &str = r"\`*_[]<>&|~$#";
+    text.chars().flat_map(|c| MARKS.contains(c).then_some('\\').into_iter().chain([c])).collect()
 }
 
 /// Significant digits of [`Results`] by default: more than any load or depth is known to.

@@ -9,6 +9,7 @@ use std::str::FromStr;
 use super::BodyProblem;
 use crate::memory::can_be_had;
 use crate::qp::Profile;
+use crate::scene::file::Found;
 
 /// Numbers from the first entry of each row to the diagonal, all together: 128 MB, as much for each factor, and minutes to solve if the
 /// matrix is full.
@@ -112,7 +113,7 @@ impl Reader {
         let last = self.line.max(1);
         let at_end = |problem| Wrong { line: last, text: String::new(), marked: 0..0, problem };
         let Some([_, symmetric]) = self.form else {
-            return Err(at_end(BodyProblem::Header { found: String::new() }));
+            return Err(at_end(BodyProblem::Header { found: Found::of("") }));
         };
         let [n, expected] = self.size.unwrap_or([0, usize::MAX]);
         if self.count < expected {
@@ -173,7 +174,7 @@ fn header(text: &str) -> Result<[bool; 2], Mark> {
         {
             Ok([form == "coordinate", kind == "symmetric"])
         }
-        _ => Err((0..text.len(), BodyProblem::Header { found: excerpt(text) })),
+        _ => Err((0..text.len(), BodyProblem::Header { found: Found::of(text) })),
     }
 }
 
@@ -224,11 +225,6 @@ fn number<T: FromStr>(
     is_right: impl Fn(&T) -> bool,
     expected: impl Fn() -> String,
 ) -> Result<T, Mark> {
-    let wrong = || (place, BodyProblem::Number { quantity, expected: expected(), found: excerpt(field) });
+    let wrong = || (place, BodyProblem::Number { quantity, expected: expected(), found: Found::of(field) });
     field.parse().ok().filter(is_right).ok_or_else(wrong)
-}
-
-/// As much of a text as a message repeats.
-fn excerpt(text: &str) -> String {
-    text.chars().take(60).collect()
 }

@@ -1,7 +1,7 @@
 //! What can be wrong with the files of a body.
 
 use crate::qp::NotPositiveDefinite;
-use crate::scene::file::ReadProblem;
+use crate::scene::file::{Found, ReadProblem};
 
 /// What is wrong with `[body]`, or with one of its files.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -29,11 +29,11 @@ pub enum BodyProblem {
     },
     /// The first line of a matrix.
     #[error(
-        "a matrix must begin with `%%MatrixMarket matrix coordinate|array real symmetric|general`, but begins with {found:?}"
+        "a matrix must begin with `%%MatrixMarket matrix coordinate|array real symmetric|general`, but begins with {found}"
     )]
     Header {
         /// What is there.
-        found: String,
+        found: Found,
     },
     /// Not so many numbers in a line.
     #[error("this line must have {expected}, but has {found} fields")]
@@ -44,14 +44,14 @@ pub enum BodyProblem {
         found: usize,
     },
     /// Not a number.
-    #[error("`{quantity}` must be {expected}, but is {found:?}")]
+    #[error("`{quantity}` must be {expected}, but is {found}")]
     Number {
         /// What the number is.
         quantity: &'static str,
         /// What it must be.
         expected: String,
         /// What is there.
-        found: String,
+        found: Found,
     },
     /// No square matrix.
     #[error("the matrix must be square, but has {rows} rows and {columns} columns")]
@@ -120,12 +120,12 @@ pub enum BodyProblem {
         found: usize,
     },
     /// A table without its header.
-    #[error("this file must begin with the header {expected}, but begins with {found:?}")]
+    #[error("this file must begin with the header {expected}, but begins with {found}")]
     TableHeader {
         /// What should be there.
         expected: String,
         /// What is there.
-        found: String,
+        found: Found,
     },
     /// Products of its numbers that are too large.
     #[error("the product of the matrix with gaps or loads is beyond the range of 64-bit floating point")]
@@ -133,6 +133,15 @@ pub enum BodyProblem {
     /// A freedom for the second time.
     #[error("the row of {0} is there twice")]
     RowTwice(usize),
+}
+
+impl BodyProblem {
+    /// From here on the message repeats no text of the file.
+    pub(crate) fn hide_text(&mut self) {
+        if let Self::Header { found } | Self::Number { found, .. } | Self::TableHeader { found, .. } = self {
+            *found = Found::NotShown;
+        }
+    }
 }
 
 impl From<NotPositiveDefinite> for BodyProblem {

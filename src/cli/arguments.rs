@@ -44,22 +44,30 @@ const SOLVE_EXAMPLES: &str = "\
 Examples:
   palkki solve report/scenes/heinisuo-1984.toml --method force
   palkki solve report/scenes/ridge.toml --method force --tolerance 1e-4
-  palkki solve scene.toml --method displacement --solver clarabel --intervals 200 --format json
-  palkki solve scene.toml --method force --csv nodes.csv --plot beam.svg";
+  palkki solve report/scenes/ridge.toml --method displacement --solver clarabel -n 200 -f json
+  palkki solve report/scenes/ridge.toml --method force --csv nodes.csv --plot beam.svg";
+
+const COMPARE_EXAMPLE: &str = "\
+Examples:
+  palkki compare report/scenes/heinisuo-1984.toml
+  palkki compare report/scenes/ridge.toml --intervals 100 --format json";
 
 const CERTIFY_EXAMPLE: &str = "\
 FORCES is a CSV file with the header x,force: places along the beam and forces of the foundation on
-the beam, positive upwards, for example
-  x,force
-  2.3333,1.14
-  2.6667,0.55
+the beam, positive upwards, all of them. A beam that its supports do not hold needs a rigid foundation.
 For a scene with a [body] the header is i,force or i,clearance: freedoms, from 1, with contact forces
 or clearances. The largest error of a clearance is then bounded from both sides.
 
 Examples:
-  palkki certify scene.toml forces.csv
-  palkki certify body.toml answer.csv
-  palkki certify scene.toml forces.csv --load nodal --format json";
+  printf 'x,force\\n4,5.4167\\n' > forces.csv
+  palkki certify report/scenes/kink.toml forces.csv
+
+  palkki solve report/scenes/ridge.toml --method force --csv nodes.csv
+  cut -d, -f1,4 nodes.csv | sed 1s/contact_// > nodal.csv
+  palkki certify report/scenes/ridge.toml nodal.csv --load nodal --format json
+
+  cp report/scenes/bodies/two-beams.* .
+  palkki certify two-beams.toml two-beams.answer.csv";
 
 const SWEEP_EXAMPLES: &str = "\
 PATH is a number as the scene file writes it, for example load.point[0].at, load.uniform,
@@ -67,18 +75,23 @@ foundation.depth, foundation.points[2].depth, beam.bending_stiffness, beam.suppo
 that the scene does not have is answered with those that it has.
 
 Examples:
-  palkki sweep scene.toml --vary foundation.depth --from 0.5 --to 8 --steps 101
-  palkki sweep scene.toml --vary load.point[0].at --from 0 --to 10 --steps 1001 --plot sweep.svg
-  palkki sweep scene.toml --vary load.point[0].at,load.point[1].at --from 0 --to 8 --envelope";
+  palkki sweep report/scenes/heinisuo-1984.toml --vary foundation.depth --from 0.5 --to 8
+  palkki sweep report/scenes/kink.toml --vary load.point[0].at --from 0 --to 10 --plot kink.svg
+  palkki sweep report/scenes/survey.toml --vary load.point[0].at,load.point[1].at \\
+    --from 0 --to 4 --envelope";
 
 const EXPORT_EXAMPLES: &str = "\
 Examples:
   palkki export report/scenes/ridge.toml --method force --intervals 30 --to ridge
+  palkki solve ridge/body.toml --csv solved.csv
+  cut -d, -f1,2 solved.csv > answer.csv
   palkki certify ridge/body.toml answer.csv
-  palkki export scene.toml --method displacement -n 300 --to scene --form sparse";
+
+  palkki export report/scenes/ridge.toml --method displacement -n 300 --to sparse --form sparse";
 
 const COMPLETIONS_EXAMPLE: &str = "\
 Examples:
+  mkdir -p ~/.local/share/bash-completion/completions ~/.config/fish/completions
   palkki completions bash > ~/.local/share/bash-completion/completions/palkki
   palkki completions fish > ~/.config/fish/completions/palkki.fish";
 
@@ -105,6 +118,7 @@ pub(super) enum Command {
     /// Each row has its status, its time and two errors. The solver error is the difference from the answer of the
     /// active-set solver on the same grid. The model error is the difference from the exact solution, where there is one: it
     /// is the error of the grid. Both are the worst relative difference among end reactions, energy and largest deflection. The exit code is 0 if at least one answer passed our check.
+    #[command(after_help = COMPARE_EXAMPLE)]
     Compare(Compare),
     /// Bound the error of contact forces that any program computed.
     ///
@@ -128,7 +142,7 @@ pub(super) enum Command {
     ///
     /// On the contacts that beam theory found: nodes and spans, the equation of three moments where two spans meet, one equation for
     /// each side where the beam has a given slope. Each is printed with its numbers, and with what is left of it for the moments of
-    /// the answer. The exit code is that of solve.
+    /// the answer. The foundation must be rigid. The exit code is that of solve.
     #[command(after_help = EXPLAIN_EXAMPLE)]
     Explain(Explain),
     /// Write the quadratic program of a beam on a grid, for other solvers.

@@ -21,7 +21,7 @@ use super::input::Input;
 use super::json::{MOST_INTERVALS_WITH_NODES, print};
 use super::output::Failure;
 use super::table::{Row, list, table};
-use super::text::heading;
+use super::text::{BRACKET, heading};
 
 /// How a body was solved by one solver.
 #[derive(Debug, Serialize)]
@@ -181,11 +181,11 @@ fn bounds(input: &Input<Body>, certificate: &Certificate, least: Option<f64>) ->
     let Certificate { energy_lower, energy_upper, error, force_error, .. } = *certificate;
     let [lower, upper] = [labels.results.at_least(energy_lower), labels.results.at_most(energy_upper)];
     let mut rows = vec![vec![labels.moment.name("energy J*"), lower, upper]];
-    let least = least.map_or_else(String::new, magnitude_at_least);
+    let least = least.map_or_else(|| "0".to_owned(), magnitude_at_least);
     rows.push(vec![labels.length.name("largest error of a clearance"), least, magnitude_at_most(error)]);
     let of_force = labels.force.name("largest error of a contact force");
-    rows.extend(force_error.map(|error| vec![of_force, String::new(), magnitude_at_most(error)]));
-    table("Guaranteed", &["", "at least", "at most"], &rows)
+    rows.extend(force_error.map(|error| vec![of_force, "0".to_owned(), magnitude_at_most(error)]));
+    table("Guaranteed", &["", BRACKET[0], BRACKET[1]], &rows)
 }
 
 /// `compare`: every solver.
@@ -206,7 +206,7 @@ pub(super) fn compare<'a>(input: &Input<Body>, common: &Common) -> Outcome<'a> {
             route.solver_status.clone(),
         ]
     };
-    let header = ["solver", "status", "residual", "iterations", "seconds", "off by at least", "at most", "it says"];
+    let header = ["solver", "status", "residual", "iterations", "seconds", "true error between", "and", "it says"];
     let as_text = || {
         let title = format!("{}, {} unknowns", input.title(), body.program().dimension());
         let why = proof.as_ref().err().map_or_else(String::new, |error| format!("\n{error}\n"));

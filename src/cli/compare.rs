@@ -170,6 +170,9 @@ pub(super) fn text(input: &Input, comparison: &Comparison) -> String {
     ];
     let status = Status::of_several(comparison.is_certified());
     let mut text = format!("{status}: {} of {} answers\n", comparison.certified(), comparison.routes.len());
+    if !input.warnings().is_empty() {
+        text = text + "\n" + input.warning_lines().trim_end() + "\n";
+    }
     text += &table(&format!("{}, {} intervals", input.title(), comparison.intervals), &header, &rows);
     text.push_str(&not_tried(comparison));
     text += &format!(

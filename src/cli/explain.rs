@@ -2,7 +2,7 @@
 
 use clap::{Args, ValueEnum};
 use palkki::explain::{Equation, Explanation, Node, Overhang, Span, What};
-use palkki::text::magnitude;
+use palkki::text::{magnitude, markdown_text};
 
 use super::answer::Answer;
 use super::arguments::SceneArgument;
@@ -14,7 +14,7 @@ use super::text::heading;
 pub(super) const EXAMPLE: &str = "\
 Examples:
   palkki explain report/scenes/heinisuo-1984.toml
-  palkki explain scene.toml --format markdown";
+  palkki explain report/scenes/ridge.toml --format markdown";
 
 #[derive(Debug, Args)]
 pub(super) struct Explain {
@@ -60,8 +60,9 @@ pub(super) fn text(input: &Input, answer: &Answer, form: Explained) -> String {
     let head = match form {
         Explained::Text => heading(verdict.status, &answer.reason(), input) + &list(&lines),
         Explained::Markdown => {
-            let lines = lines.iter().map(|(name, value)| format!("- {name}: {value}\n"));
-            format!("# {}\n\nStatus: {}.\n\n{}", input.title(), verdict.status, lines.collect::<String>())
+            let lines = lines.iter().map(|(name, value)| format!("- {name}: {}\n", markdown_text(value)));
+            let (title, warnings) = (markdown_text(input.title()), markdown_text(&input.warning_lines()));
+            format!("# {title}\n\nStatus: {}.\n\n{warnings}{}", verdict.status, lines.collect::<String>())
         }
     };
     let page = Page { moment: found.moment(), found, labels, form };

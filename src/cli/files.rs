@@ -187,6 +187,14 @@ fn stream_into(_: &Path) -> Option<Stream> {
 
 /// Where a file at `path` is in truth: moving something there must not replace a link, and still less a device.
 fn place(path: &Path) -> Result<Place, Failure> {
+    place_through(path, MOST_LINKS)
+}
+
+/// Links that one name may lead through: more than that go in a circle, for the operating system as well.
+const MOST_LINKS: usize = 40;
+
+/// The same, if the name leads through at most so many links to a file that is not there yet.
+fn place_through(path: &Path, links: usize) -> Result<Place, Failure> {
     const NAMES: [(Stream, [&str; 3]); 2] = [
         (Stream::Output, ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"]),
         (Stream::Error, ["/dev/stderr", "/dev/fd/2", "/proc/self/fd/2"]),
@@ -215,6 +223,12 @@ fn place(path: &Path) -> Result<Place, Failure> {
                 _ => Path::new("."),
             };
             let folder = fs::canonicalize(folder).map_err(|_| not(PlaceProblem::NoDirectory))?;
+            match fs::read_link(path) {
+                Ok(_) if links == 0 => return Err(not(PlaceProblem::Circle)),
+                // The file that the link names is made, and the link stays.
+                Ok(target) => return place_through(&folder.join(target), links - 1),
+                Err(_) => {}
+            }
             if folder.is_dir() { Ok(Place::File(folder.join(name))) } else { Err(not(PlaceProblem::NoDirectory)) }
         }
     }

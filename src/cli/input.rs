@@ -1,6 +1,6 @@
 //! Reading: a scene file, the files that it names, and files of arguments.
 
-use std::fs::File;
+use std::fs::{self, File, Metadata};
 use std::io::{self, BufRead as _, BufReader, Read as _};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -21,6 +21,10 @@ const LARGEST_TABLE: u64 = 512 * 1024 * 1024;
 /// points has room in a survey.
 const LARGEST_SCENE: u64 = 16 * 1024 * 1024;
 
+/// Bytes of the largest matrix that is read: twice the numbers of the largest one that is factorised, for both triangles, with places
+/// and all digits, are some 1.2 GB.
+const LARGEST_MATRIX: u64 = 2 * 1024 * 1024 * 1024;
+
 /// Bytes of the longest line of a matrix: the format allows 1024 characters.
 const LONGEST_LINE: u64 = 4096;
 
@@ -37,6 +41,8 @@ pub(super) struct Input<M = Scene> {
     pub(super) files: Vec<PathBuf>,
     /// How the numbers of its answer are written in text.
     results: Results,
+    /// What may be wrong with the scene, though it has an answer.
+    warnings: Vec<String>,
 }
 
 /// What a scene file turns out to be.
@@ -53,17 +59,18 @@ impl Read {
         let text = read_argument(path, LARGEST_SCENE)
             .map_err(|problem| Box::new(FileError::whole(&name, Problem::Unreadable(problem))))?;
         let first = if is_standard(path) { PathBuf::from("/dev/stdin") } else { path.to_owned() };
-        let mut beside = BesideScene { path, files: vec![first] };
-        let model = parse_model(&name, &text, &mut beside)?;
+        let mut beside = BesideScene { path, files: vec![first], shown: vec![name.clone()] };
+        let model = parse_model(&name, &text, &mut beside).map_err(|error| beside.shown(error))?;
         let files = beside.files;
         Ok(match model {
             Model::Scene(scene) => {
                 let (title, units) = (scene.title().to_owned(), scene.units().clone());
-                Self::Beam(Box::new(Input { name, title, units, scene, files, results }))
+                let warnings = scene.far_depths().iter().map(ToString::to_string).collect();
+                Self::Beam(Box::new(Input { name, title, units, scene, files, results, warnings }))
             }
             Model::Body(scene) => {
                 let (title, units) = (scene.title.clone(), scene.units.clone());
-                Self::Body(Box::new(Input { name, title, units, scene: *scene, files, results }))
+                Self::Body(Box::new(Input { name, title, units, scene: *scene, files, results, warnings: Vec::new() }))
             }
         })
     }
@@ -81,23 +88,41 @@ impl Read {
 struct BesideScene<'a> {
     path: &'a Path,
     files: Vec<PathBuf>,
+    /// Files whose text a message may repeat, as messages call them: the scene, and what lies in its folder. Whoever sends a scene to be
+    /// solved could otherwise read any file in the messages.
+    shown: Vec<String>,
 }
 
 impl BesideScene<'_> {
     fn file(&mut self, name: &str) -> PathBuf {
         let file = self.path.with_file_name(name);
+        if is_within(&file, self.path) {
+            self.shown.push(file.display().to_string());
+        }
         self.files.push(file.clone());
         file
     }
+
+    /// The error as it may be shown.
+    fn shown(&self, error: Box<FileError>) -> Box<FileError> {
+        if self.shown.contains(&error.file) { error } else { Box::new(error.without_text()) }
+    }
+}
+
+/// Whether a file lies in the folder of a scene, or below it, when all links are followed.
+fn is_within(file: &Path, scene: &Path) -> bool {
+    let folder = scene.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
+    let whole = fs::canonicalize(folder).and_then(|folder| Ok((folder, fs::canonicalize(file)?)));
+    whole.is_ok_and(|(folder, file)| file.starts_with(folder))
 }
 
 impl Beside for BesideScene<'_> {
     fn text(&mut self, name: &str) -> Result<String, ReadProblem> {
-        read(&self.file(name), LARGEST_TABLE)
+        text_of(open_regular(&self.file(name), LARGEST_TABLE)?, LARGEST_TABLE)
     }
 
     fn lines(&mut self, name: &str, each: &mut dyn FnMut(&str) -> ControlFlow<()>) -> Result<(), ReadProblem> {
-        let mut stream = BufReader::new(open(&self.file(name))?);
+        let mut stream = BufReader::new(open_regular(&self.file(name), LARGEST_MATRIX)?.take(LARGEST_MATRIX));
         let mut bytes = Vec::new();
         for number in 1.. {
             bytes.clear();
@@ -125,6 +150,17 @@ impl<M> Input<M> {
     /// Names and numbers of this scene in text.
     pub(super) fn labels(&self) -> Labels {
         Labels::of(&self.units, self.results)
+    }
+
+    /// What may be wrong with the scene, though it has an answer.
+    pub(super) fn warnings(&self) -> &[String] {
+        &self.warnings
+    }
+
+    /// The same as lines for a person, with a blank line behind them; empty if there are none.
+    pub(super) fn warning_lines(&self) -> String {
+        let lines: String = self.warnings.iter().map(|warning| format!("Warning: {warning}.\n")).collect();
+        if lines.is_empty() { lines } else { lines + "\n" }
     }
 
     /// What the scene is called: by its title, or else by its file.
@@ -182,27 +218,39 @@ fn refused(error: &io::Error) -> ReadProblem {
     }
 }
 
-/// A file of at most `largest` bytes as text.
+/// An argument of at most `largest` bytes as text. A pipe of the shell or a device may be what its user means.
 fn read(path: &Path, largest: u64) -> Result<String, ReadProblem> {
-    let file = open(path)?;
-    // Before half a gigabyte is read in vain.
-    if file.metadata().is_ok_and(|there| largest < there.len()) {
-        return Err(ReadProblem::TooLarge { limit: largest });
-    }
-    text_of(file, largest)
-}
-
-/// A file, and nothing else that may have a name.
-fn open(path: &Path) -> Result<File, ReadProblem> {
     // Opening one would wait until somebody writes.
     if is_named_pipe(path) {
         return Err(ReadProblem::NamedPipe);
     }
     let file = File::open(path).map_err(|error| refused(&error))?;
-    if file.metadata().map_err(|error| refused(&error))?.is_dir() {
-        return Err(ReadProblem::Directory);
-    }
+    let there = file.metadata().map_err(|error| refused(&error))?;
+    of_size(&there, largest)?;
+    text_of(file, largest)
+}
+
+/// A file that a scene names: a regular one of at most `largest` bytes. Opening anything else may wait, or do something.
+fn open_regular(path: &Path, largest: u64) -> Result<File, ReadProblem> {
+    regular(&fs::metadata(path).map_err(|error| refused(&error))?, largest)?;
+    let file = File::open(path).map_err(|error| refused(&error))?;
+    // Again, as it may be another one by now.
+    regular(&file.metadata().map_err(|error| refused(&error))?, largest)?;
     Ok(file)
+}
+
+fn regular(there: &Metadata, largest: u64) -> Result<(), ReadProblem> {
+    of_size(there, largest)?;
+    if there.is_file() { Ok(()) } else { Err(ReadProblem::NotRegular) }
+}
+
+/// Before half a gigabyte is read in vain.
+fn of_size(there: &Metadata, largest: u64) -> Result<(), ReadProblem> {
+    match there {
+        there if there.is_dir() => Err(ReadProblem::Directory),
+        there if largest < there.len() => Err(ReadProblem::TooLarge { limit: largest }),
+        _ => Ok(()),
+    }
 }
 
 /// All of a stream of at most `largest` bytes, as text.
@@ -225,8 +273,8 @@ fn text_of(stream: impl io::Read, largest: u64) -> Result<String, ReadProblem> {
 #[cfg(unix)]
 fn is_named_pipe(path: &Path) -> bool {
     use std::os::unix::fs::FileTypeExt as _;
-    let named = || std::fs::canonicalize(path).is_ok();
-    std::fs::metadata(path).is_ok_and(|there| there.file_type().is_fifo()) && named()
+    let named = || fs::canonicalize(path).is_ok();
+    fs::metadata(path).is_ok_and(|there| there.file_type().is_fifo()) && named()
 }
 
 #[cfg(not(unix))]

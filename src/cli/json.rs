@@ -20,11 +20,27 @@ use super::sweep::Stopped;
 /// Grids with more intervals are printed without their nodes, unless these are asked for.
 pub(super) const MOST_INTERVALS_WITH_NODES: usize = 10_000;
 
+/// What is printed of the scene itself.
+#[derive(Debug, Serialize)]
+struct SceneObject<'a> {
+    scene: &'a str,
+    /// What may be wrong with it, though it has an answer.
+    #[serde(skip_serializing_if = "<[String]>::is_empty")]
+    warnings: &'a [String],
+}
+
+impl<'a, M> From<&'a Input<M>> for SceneObject<'a> {
+    fn from(input: &'a Input<M>) -> Self {
+        Self { scene: input.title(), warnings: input.warnings() }
+    }
+}
+
 /// The answer of `solve`.
 pub(super) fn solve(input: &Input, answer: &Answer, all_nodes: bool, local: &Local) -> String {
     #[derive(Debug, Serialize)]
     struct SolveObject<'a> {
-        scene: &'a str,
+        #[serde(flatten)]
+        scene: SceneObject<'a>,
         #[serde(flatten)]
         route: RouteObject<'a>,
         nodes: Option<&'a Nodes>,
@@ -33,14 +49,15 @@ pub(super) fn solve(input: &Input, answer: &Answer, all_nodes: bool, local: &Loc
     }
     let few = answer.intervals.is_some_and(|intervals| intervals <= MOST_INTERVALS_WITH_NODES);
     let nodes = answer.nodes().filter(|_| few || all_nodes);
-    print(&SolveObject { scene: input.title(), route: answer.into(), nodes, local })
+    print(&SolveObject { scene: input.into(), route: answer.into(), nodes, local })
 }
 
 /// What `compare` found.
 pub(super) fn compare(input: &Input, comparison: &Comparison) -> String {
     #[derive(Debug, Serialize)]
     struct ComparisonObject<'a> {
-        scene: &'a str,
+        #[serde(flatten)]
+        scene: SceneObject<'a>,
         intervals: usize,
         routes: Vec<ComparedObject<'a>>,
     }
@@ -56,14 +73,15 @@ pub(super) fn compare(input: &Input, comparison: &Comparison) -> String {
         solver_error: compared.solver_error.as_ref(),
         model_error: compared.model_error.as_ref(),
     });
-    print(&ComparisonObject { scene: input.title(), intervals: comparison.intervals, routes: routes.collect() })
+    print(&ComparisonObject { scene: input.into(), intervals: comparison.intervals, routes: routes.collect() })
 }
 
 /// What `certify` found.
 pub(super) fn certify(input: &Input, finding: &Finding) -> String {
     #[derive(Debug, Serialize)]
     struct FindingObject<'a> {
-        scene: &'a str,
+        #[serde(flatten)]
+        scene: SceneObject<'a>,
         /// Only where the load was lumped at nodes.
         #[serde(skip_serializing_if = "Option::is_none")]
         intervals: Option<usize>,
@@ -75,7 +93,7 @@ pub(super) fn certify(input: &Input, finding: &Finding) -> String {
     // Of forces that somebody else computed, the own deflection may be far from the best one.
     let best_deflection_error = Some(finding.certificate.best_deflection_error);
     print(&FindingObject {
-        scene: input.title(),
+        scene: input.into(),
         intervals: finding.intervals,
         status: finding.verdict.status,
         reason: finding.verdict.to_string(),
@@ -95,7 +113,8 @@ pub(super) fn sweep(
 ) -> String {
     #[derive(Debug, Serialize)]
     struct SweepObject<'a> {
-        scene: &'a str,
+        #[serde(flatten)]
+        scene: SceneObject<'a>,
         vary: &'a str,
         rows: Vec<RowObject<'a>>,
         events: &'a [Event],
@@ -112,7 +131,7 @@ pub(super) fn sweep(
         route: RouteObject<'a>,
     }
     let rows = rows.iter().map(|(value, answer)| RowObject { value: *value, route: answer.into() }).collect();
-    print(&SweepObject { scene: input.title(), vary, rows, events, envelope, stopped })
+    print(&SweepObject { scene: input.into(), vary, rows, events, envelope, stopped })
 }
 
 /// The version of the keys and of what they mean: a key that goes, or means something else, makes it another one.

@@ -14,6 +14,7 @@ use super::arguments::Solve;
 use super::input::Input;
 use super::json::{ContactObject, EndsObject};
 use super::table::{Labels, MOST_ROWS, Row, first, list, table};
+use super::text::BRACKET;
 
 /// What was asked for.
 #[derive(Debug, Serialize)]
@@ -90,12 +91,14 @@ impl Local {
             let mut lines = vec![
                 ("guaranteed: the beam touches".to_owned(), known.guaranteed.contact.name().to_owned()),
                 (
-                    format!("guaranteed: {} at least", labels.moment.name("energy J*")),
-                    lower.map_or_else(none, |energy| labels.results.at_least(energy)),
-                ),
-                (
-                    format!("guaranteed: {} at most", labels.moment.name("energy J*")),
-                    upper.map_or_else(none, |energy| labels.results.at_most(energy)),
+                    format!("guaranteed: {}", labels.moment.name("energy J*")),
+                    format!(
+                        "{} {} {} {}",
+                        BRACKET[0],
+                        lower.map_or_else(none, |energy| labels.results.at_least(energy)),
+                        BRACKET[1],
+                        upper.map_or_else(none, |energy| labels.results.at_most(energy)),
+                    ),
                 ),
             ];
             lines.extend(known.left_out.map(|why| ("left out".to_owned(), why.to_owned())));

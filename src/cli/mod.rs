@@ -89,7 +89,8 @@ pub(crate) fn run() -> ExitCode {
 
 fn finish_with_message(message: &clap::Error) -> ExitCode {
     // An error of standard error cannot be reported. Help that could not be printed is a failure.
-    let printed = output::unless_closed(message.print());
+    let open = if message.use_stderr() { Ok(()) } else { output::can_be_written() };
+    let printed = open.and_then(|()| output::unless_closed(message.print()));
     let code = if printed.is_ok() { u8::try_from(message.exit_code()).unwrap_or(FAILED) } else { FAILED };
     ExitCode::from(code)
 }

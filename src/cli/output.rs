@@ -78,6 +78,8 @@ pub(super) enum PlaceProblem {
     Twice,
     #[error("it is not the name of a file")]
     NoName,
+    #[error("it is a link that leads to itself")]
+    Circle,
 }
 
 /// The two streams that a program has to write to.
@@ -90,10 +92,27 @@ pub(super) enum Stream {
 /// Prints an answer, or a file that goes to a stream.
 pub(super) fn print(stream: Stream, text: &str) -> Result<(), Failure> {
     let written = match stream {
-        Stream::Output => write(&mut io::stdout().lock(), text),
-        Stream::Error => write(&mut io::stderr().lock(), text),
+        Stream::Output => unchecked(&io::stdout()).and_then(|mut file| write(&mut file, text)),
+        Stream::Error => unchecked(&io::stderr()).and_then(|mut file| write(&mut file, text)),
     };
     written.map_err(Failure::Print)
+}
+
+/// Whether standard output can be written to at all.
+pub(super) fn can_be_written() -> io::Result<()> {
+    unless_closed(unchecked(&io::stdout())?.write(&[]).map(|_| ()))
+}
+
+/// A stream as a file: the stream of the standard library takes one that cannot be written to for one that nobody wants to read, and
+/// the answer would be lost with exit code 0.
+#[cfg(unix)]
+fn unchecked(stream: &impl std::os::fd::AsFd) -> io::Result<std::fs::File> {
+    stream.as_fd().try_clone_to_owned().map(std::fs::File::from)
+}
+
+#[cfg(windows)]
+fn unchecked(stream: &impl std::os::windows::io::AsHandle) -> io::Result<std::fs::File> {
+    stream.as_handle().try_clone_to_owned().map(std::fs::File::from)
 }
 
 /// Prints an answer for a person: on a terminal that has colours, what it is worth is coloured.

@@ -2,7 +2,7 @@
 
 use palkki::certificate::Certificate;
 use palkki::route::Status;
-use palkki::state::{Contact, Extremes, Motion, Nodes, Pressure, Standing};
+use palkki::state::{Contact, Extremes, Motion, Nodes, Pressure, Standing, SupportForce};
 use palkki::text::{magnitude, magnitude_at_most};
 
 use super::answer::{Answer, Grids};
@@ -13,7 +13,7 @@ use super::table::{Label, Labels, MOST_ROWS, Row, first, list, table};
 /// The status with its reason, in the first line, and the title of the scene, underlined.
 pub(super) fn heading<M>(status: Status, reason: &str, input: &Input<M>) -> String {
     let title = input.title();
-    format!("{status}: {reason}\n\n{title}\n{}\n\n", "=".repeat(title.chars().count()))
+    format!("{status}: {reason}\n\n{title}\n{}\n\n{}", "=".repeat(title.chars().count()), input.warning_lines())
 }
 
 /// Where the witness of a certificate is not the list of contacts of the beam.
@@ -25,7 +25,10 @@ fn bracket(of: Option<[f64; 2]>, labels: &Labels) -> [String; 2] {
     of.map_or_else(words, |[least, most]| [labels.results.at_least(least), labels.results.at_most(most)])
 }
 
-const BRACKET: [&str; 2] = ["at least", "at most"];
+/// What is computed, and the bracket beside it: the bracket is of the true beam, and on a grid the computed value may lie outside it.
+pub(super) const COMPUTED: &str = "computed";
+/// See [`COMPUTED`].
+pub(super) const BRACKET: [&str; 2] = ["true value between", "and"];
 
 /// All that is guaranteed, of forces from elsewhere, which have no numbers of their own to stand beside.
 pub(super) fn bounds(certificate: &Certificate, labels: &Labels) -> String {
@@ -37,6 +40,7 @@ pub(super) fn bounds(certificate: &Certificate, labels: &Labels) -> String {
     let count = certificate.reactions.len();
     for (k, reaction) in certificate.reactions.iter().enumerate().take(MOST_ROWS) {
         let name = match (count, k) {
+            (1, _) => "support".to_owned(),
             (2, 0) => "left support".to_owned(),
             (2, _) => "right support".to_owned(),
             _ => format!("support {}", k + 1),
@@ -58,7 +62,7 @@ fn text_of(certificate: &Certificate, mut rows: Vec<Row>, left_out: &str, labels
         std::iter::once(labels.density.name("stiffness D")).chain(bracket(Some(stiffness), labels)).collect()
     }));
     let error = magnitude_at_most(certificate.deflection_error);
-    rows.push(vec![labels.length.name("error of the deflection"), String::new(), error]);
+    rows.push(vec![labels.length.name("error of the deflection"), "0".to_owned(), error]);
     let mut table = table("Guaranteed for the continuous beam", &["", BRACKET[0], BRACKET[1]], &rows) + left_out;
     if let Some(about) = certificate.up_to_a_turn {
         table += &format!(
@@ -153,6 +157,8 @@ fn equilibrium(input: &Input, answer: &Answer, labels: &Labels) -> String {
     let load = input.scene.load().resultant(beam.length());
     let contact = state.contact_force();
     let remains = state.supports.iter().fold(load, |rest, support| rest - support.force) - contact;
+    let is_only = state.supports.len() == 1;
+    let named = |support: &SupportForce| support_at(support.at, beam.length(), is_only, labels);
     let row = |name: String, force: String, way: &str, guaranteed: [String; 2]| -> Row {
         [name, force, way.to_owned()].into_iter().chain(guaranteed).collect()
     };
@@ -161,19 +167,19 @@ fn equilibrium(input: &Input, answer: &Answer, labels: &Labels) -> String {
     rows.extend(state.supports.iter().enumerate().take(MOST_ROWS).map(|(k, support)| {
         let known = certificate.and_then(|c| c.reactions.get(k).copied().flatten());
         let lifted = if support.pushes_only && support.force <= 0.0 { ", lifted off" } else { "" };
-        let name = support_at(support.at, beam.length(), labels) + lifted;
+        let name = named(support) + lifted;
         row(name, labels.number(support.force), "up", bracket(known, labels))
     }));
     let known = bracket(certificate.and_then(|c| c.contact_force), labels);
     rows.push(row("contact".to_owned(), labels.number(contact), "up", known));
     // That is rounding, of which only the size is of interest.
     rows.push(row("what remains".to_owned(), magnitude(remains), "", none()));
-    let mut text = table("Equilibrium", &["", &labels.force.name("force"), "", BRACKET[0], BRACKET[1]], &rows);
+    let mut text = table("Equilibrium", &["", &labels.force.name(COMPUTED), "", BRACKET[0], BRACKET[1]], &rows);
     text += &first("supports", state.supports.len(), state.supports.len().min(MOST_ROWS));
     let moments: Vec<Row> = state
         .supports
         .iter()
-        .filter_map(|support| Some(vec![support_at(support.at, beam.length(), labels), labels.number(support.moment?)]))
+        .filter_map(|support| Some(vec![named(support), labels.number(support.moment?)]))
         .collect();
     if !moments.is_empty() {
         text += &table("Built in", &["", &labels.moment.name("moment")], &moments);
@@ -184,11 +190,11 @@ fn equilibrium(input: &Input, answer: &Answer, labels: &Labels) -> String {
     text
 }
 
-/// What a support is called.
-fn support_at(at: f64, length: f64, labels: &Labels) -> String {
+/// What a support is called: by its end of the beam, if it is not the only one.
+fn support_at(at: f64, length: f64, is_only: bool, labels: &Labels) -> String {
     match at {
-        0.0 => "left support".to_owned(),
-        at if at.total_cmp(&length).is_eq() => "right support".to_owned(),
+        0.0 if !is_only => "left support".to_owned(),
+        at if !is_only && at.total_cmp(&length).is_eq() => "right support".to_owned(),
         at => format!("support at {}", labels.number(at)),
     }
 }
@@ -267,7 +273,7 @@ fn extremes(answer: &Answer, labels: &Labels) -> String {
     let pressure =
         |p: Pressure| row(named("largest pressure", &labels.density), p.max, Some(p.at), bracket(None, labels));
     rows.extend(state.pressure.map(pressure));
-    table("Extremes", &["", "value", BRACKET[0], BRACKET[1], &labels.length.name("at")], &rows)
+    table("Extremes", &["", COMPUTED, BRACKET[0], BRACKET[1], &labels.length.name("at")], &rows)
 }
 
 fn table_of_nodes(nodes: &Nodes, labels: &Labels) -> String {

@@ -15,7 +15,7 @@
 
 use std::cmp::Ordering;
 
-use super::error::shown;
+use super::error::{in_full, shown};
 use super::{Foundation, Scale, Scene, Support};
 use crate::double::Double;
 
@@ -52,13 +52,11 @@ pub enum Balance {
 pub enum Unheld {
     /// The resultant is beside the ground.
     #[error(
-        "the loads have their resultant {} at x = {}, outside {} ({} … {}): the beam turns over its {} end",
+        "the loads have their resultant {} at x = {}, outside {}: the beam turns over {}",
         rounded(*force),
         beside(*at, *ends),
-        if *grounded { "the ground" } else { "the supports that push" },
-        shown(ends[0]),
-        shown(ends[1]),
-        if *at < ends[0] { "left" } else { "right" }
+        carriers(*grounded, *ends),
+        fulcrum(*grounded, *ends, *at)
     )]
     Overturns {
         /// The resultant, positive downwards \[force\].
@@ -275,6 +273,22 @@ fn corner(scene: &Scene, at: f64, there: impl Fn(f64) -> bool) -> Option<f64> {
     profiles.into_iter().flat_map(beside).flatten().find(|&x| inside(x) && there(x) && carries(x))
 }
 
+/// What can carry a beam without supports that hold, with the outermost places of it.
+fn carriers(grounded: bool, ends: [f64; 2]) -> String {
+    let [from, to] = ends.map(shown);
+    match (grounded, from == to) {
+        (true, _) => format!("the ground ({from} … {to})"),
+        (false, true) => format!("the only support that pushes ({from})"),
+        (false, false) => format!("the supports that push ({from} … {to})"),
+    }
+}
+
+/// Over what a beam turns whose loads are at a place outside these: its end on ground, and else the outermost support.
+fn fulcrum(grounded: bool, ends: [f64; 2], at: f64) -> String {
+    let (side, end) = if at < ends[0] { ("left", ends[0]) } else { ("right", ends[1]) };
+    if grounded { format!("its {side} end") } else { format!("its support at x = {}", shown(end)) }
+}
+
 /// To four significant digits.
 fn rounded(value: f64) -> String {
     shown(format!("{value:.3e}").parse().unwrap_or(value))
@@ -283,7 +297,7 @@ fn rounded(value: f64) -> String {
 /// The same of a place that is not on the beam, with all its digits where four would put it there.
 fn beside(at: f64, [from, to]: [f64; 2]) -> String {
     let rounded: f64 = format!("{at:.3e}").parse().unwrap_or(at);
-    shown(if (from..=to).contains(&rounded) { at } else { rounded })
+    if (from..=to).contains(&rounded) { in_full(at) } else { shown(rounded) }
 }
 
 /// A sum in twice the precision, and how far the rounding of what is given may have moved it.

@@ -5,6 +5,7 @@ use super::balance::Unheld;
 use super::grid::MOST_FITTING;
 use super::quantity::{Profile, ProfileKey, Quantity};
 use super::scale::Scale;
+use crate::text::Results;
 
 /// Why a scene was refused.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -26,7 +27,7 @@ pub enum SceneError {
         value: f64,
     },
     /// A place is not on the beam.
-    #[error("`{quantity}` must lie on the beam, between 0 and {}, but is {}", shown(*length), shown(*value))]
+    #[error("`{quantity}` must lie on the beam, between 0 and {}, but is {}", against(*length, *value), against(*value, *length))]
     OutsideBeam {
         /// Which place.
         quantity: Quantity,
@@ -36,7 +37,7 @@ pub enum SceneError {
         length: f64,
     },
     /// A line load that ends where it starts, or before.
-    #[error("`{quantity}` must be greater than the start of the load, {}, but is {}", shown(*from), shown(*to))]
+    #[error("`{quantity}` must be greater than the start of the load, {}, but is {}", against(*from, *to), against(*to, *from))]
     EmptyLoad {
         /// The end of the load.
         quantity: Quantity,
@@ -62,8 +63,8 @@ pub enum SceneError {
     /// Points of a polyline that run backwards.
     #[error(
         "`{quantity}` must not be less than the place of the point before it, {}, but is {}",
-        shown(*previous),
-        shown(*value)
+        against(*previous, *value),
+        against(*value, *previous)
     )]
     PointsRunBack {
         /// The place that is too small.
@@ -82,7 +83,7 @@ pub enum SceneError {
         value: f64,
     },
     /// A polyline that does not reach from end to end of the beam.
-    #[error("{of} given by points must reach from 0 to {}, but `{quantity}` is {}", shown(*length), shown(*value))]
+    #[error("{of} given by points must reach from 0 to {}, but `{quantity}` is {}", against(*length, *value), against(*value, *length))]
     PointsDoNotCover {
         /// Which profile.
         of: Profile,
@@ -96,8 +97,8 @@ pub enum SceneError {
     /// Two supports at the same place, or so close together that the last digits of their places decide how they turn the beam.
     #[error(
         "`{quantity}` is {}, and another support is at x = {}: two supports must be more than {least:.1e} apart",
-        shown(*value),
-        shown(*other)
+        against(*value, *other),
+        against(*other, *value)
     )]
     SupportsTooClose {
         /// The one of them that is given later.
@@ -131,8 +132,8 @@ pub enum SceneError {
         "the foundation must not lie above a support, but its depth at the support x = {} is {}, above the level {} of the \
          support: no deflection satisfies both on rigid ground; an elastic foundation (`stiffness`) may lie above a support",
         shown(*at),
-        shown(*depth),
-        shown(*level)
+        against(*depth, *level),
+        against(*level, *depth)
     )]
     AboveSupport {
         /// Where the support is.
@@ -147,8 +148,8 @@ pub enum SceneError {
         "a support with pushes_only must stand above the ground, but at x = {} its level is {} and the depth of the foundation {}: \
          rigid ground is in its way; in an elastic foundation (`stiffness`) it may stand",
         shown(*at),
-        shown(*level),
-        shown(*depth)
+        against(*level, *depth),
+        against(*depth, *level)
     )]
     BearingInGround {
         /// Where the support is.
@@ -172,8 +173,8 @@ pub enum SceneError {
          the beam, its slope to the {side} of it is {}, and that of the beam is {}: no deflection satisfies both on rigid ground; an \
          elastic foundation (`stiffness`) may rise there",
         shown(*at),
-        shown(*slope),
-        shown(*held)
+        against(*slope, *held),
+        against(*held, *slope)
     )]
     RisesAtBuiltIn {
         /// Where the support is.
@@ -191,8 +192,8 @@ pub enum SceneError {
          level with the beam, its slope against that of the own shape is {} to the left and {} to the right of it: no deflection \
          satisfies both on rigid ground; an elastic foundation (`stiffness`) may rise there",
         shown(*at),
-        shown(slopes[0]),
-        shown(slopes[1])
+        against(slopes[0], slopes[1]),
+        against(slopes[1], slopes[0])
     )]
     ValleyAtSupport {
         /// Where the support is.
@@ -318,8 +319,25 @@ fn fitting(fits: Option<usize>) -> String {
     }
 }
 
-/// A number as a message has it: with a power of ten where a row of zeros would have to be counted.
-pub(super) fn shown(value: f64) -> String {
+/// A number as a message has it: as it is written in the file, or with six digits if it was computed.
+pub(crate) fn shown(value: f64) -> String {
+    /// Nobody writes a number with more digits; a sum or a product of such numbers mostly has more.
+    const WRITTEN: usize = 12;
+    let text = in_full(value);
+    let digits = text.split('e').next().unwrap_or_default().chars().filter(char::is_ascii_digit).count();
+    if digits <= WRITTEN || !value.is_finite() { text } else { Results::default().number(value) }
+}
+
+/// The same of a number that is compared with another one: with all digits where six would make them equal.
+pub(super) fn against(value: f64, other: f64) -> String {
+    let text = shown(value);
+    if text == shown(other) { in_full(value) } else { text }
+}
+
+/// All digits: with a power of ten where a row of zeros would have to be counted.
+pub(super) fn in_full(value: f64) -> String {
+    // No minus before zero.
+    let value = value + 0.0;
     let size = value.abs();
     if size == 0.0 || !value.is_finite() || (1e-5..1e16).contains(&size) {
         value.to_string()

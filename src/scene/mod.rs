@@ -7,6 +7,7 @@ mod beam;
 mod bend;
 mod depths;
 mod error;
+mod far_depths;
 pub mod file;
 mod foundation;
 mod grid;
@@ -23,6 +24,8 @@ use std::sync::Arc;
 pub use balance::{Balance, Resultant, Unheld};
 pub use beam::Beam;
 pub use error::SceneError;
+pub(crate) use error::shown;
+pub use far_depths::FarDepths;
 pub use foundation::Foundation;
 pub use grid::Grid;
 pub(crate) use grid::is_same_place;
@@ -147,6 +150,13 @@ impl Scene {
     pub(crate) fn standing_on(&self, at: f64) -> f64 {
         let here = self.load.point().iter().filter(|load| load.at <= at && at <= load.at && self.beam.carries(at));
         here.map(|load| load.force).sum()
+    }
+
+    /// Depths of the foundation, and of the own shape, that are so far from all others that they may be no depths at all.
+    #[must_use]
+    pub fn far_depths(&self) -> Vec<FarDepths> {
+        let profiles = [(Profile::Foundation, self.foundation()), (Profile::Shape, self.beam.shape())];
+        profiles.into_iter().filter_map(|(of, profile)| FarDepths::of(of, profile?)).collect()
     }
 
     /// The foundation, if there is one.

@@ -36,7 +36,7 @@ mod follow;
 mod settle;
 
 use crate::route::Solution;
-use crate::scene::{PathError, Quantity, Scene, SceneError};
+use crate::scene::{PathError, Quantity, Scene, SceneError, shown};
 use crate::theory::{self, Exact, Pattern, TheoryError};
 use crate::verdict::Demand;
 
@@ -77,7 +77,7 @@ pub enum SweepError {
     #[error("the number of steps must be between 2 and {MOST_STEPS}, but is {0}")]
     Steps(usize),
     /// A range without a length, or one that is not finite.
-    #[error("the range must have two different, finite ends, but goes from {from} to {to}")]
+    #[error("the range must have two different, finite ends, but goes from {} to {}", shown(*from), shown(*to))]
     Range {
         /// Its start.
         from: f64,
@@ -85,7 +85,7 @@ pub enum SweepError {
         to: f64,
     },
     /// A value for which there is no scene, or no answer of beam theory.
-    #[error("there is no answer for `{quantity}` = {value}{}: {error}", from(*border, *value))]
+    #[error("there is no answer for `{quantity}` = {}{}: {error}", shown(*value), from(*border, *value))]
     Invalid {
         /// The number that is varied.
         quantity: Quantity,
@@ -99,7 +99,7 @@ pub enum SweepError {
 }
 
 fn from(border: f64, value: f64) -> String {
-    if border.total_cmp(&value).is_eq() { String::new() } else { format!(", and none from {border} on") }
+    if border.total_cmp(&value).is_eq() { String::new() } else { format!(", and none from {} on", shown(border)) }
 }
 
 /// A scene, the number of it that is varied, and its values.

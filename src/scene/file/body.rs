@@ -8,7 +8,7 @@ use super::contents::units;
 use super::problem::excerpt;
 use super::survey::{Survey, beside as named_beside};
 use super::table::{Error, Keys, Value};
-use super::{FileError, ReadProblem, Source};
+use super::{FileError, Found, ReadProblem, Source};
 use crate::body::matrix_market::{Reader, Wrong};
 use crate::body::proof::Brought;
 use crate::body::{Body, BodyProblem, Kind};
@@ -133,7 +133,7 @@ impl Files<'_> {
     ) -> Result<Vec<f64>, Box<FileError>> {
         let path = value.line_of_text().map_err(|error| self.source.error(error.span, error.problem))?;
         let text = self.beside.text(&path).map_err(|problem| self.unreadable(key, &path, value, problem))?;
-        column(&Survey { name: named_beside(self.source.name, &path), text }, &[quantity], n).map(|(_, values)| values)
+        column(&Survey::new(named_beside(self.source.name, &path), text), &[quantity], n).map(|(_, values)| values)
     }
 }
 
@@ -144,7 +144,7 @@ fn column(file: &Survey, quantities: &[&'static str], n: usize) -> Result<(usize
     let names: Vec<&str> = layout.fields(header, span.start).map(|(name, _)| name).collect();
     let Some(which) = quantities.iter().position(|quantity| names == ["i", quantity]) else {
         let expected = quantities.iter().map(|quantity| format!("`i,{quantity}`")).collect::<Vec<_>>().join(" or ");
-        return Err(file.error(span, BodyProblem::TableHeader { expected, found: excerpt(header) }.into()));
+        return Err(file.error(span, BodyProblem::TableHeader { expected, found: Found::of(header) }.into()));
     };
     let mut values: Vec<Option<f64>> = vec![None; n];
     for (row, span) in rows {
@@ -154,10 +154,10 @@ fn column(file: &Survey, quantities: &[&'static str], n: usize) -> Result<(usize
             return Err(file.error(span, BodyProblem::Fields { expected: "two numbers", found }.into()));
         };
         let Some(index) = i.parse().ok().filter(|i| (1..=n).contains(i)) else {
-            let (expected, found) = (format!("a whole number from 1 to {n}"), excerpt(i));
+            let (expected, found) = (format!("a whole number from 1 to {n}"), Found::of(i));
             return Err(file.error(place, BodyProblem::Number { quantity: "i", expected, found }.into()));
         };
-        let value = file.number(layout, quantities[which], value)?;
+        let value = file.number(&layout, quantities[which], value)?;
         if values[index - 1].replace(value).is_some() {
             return Err(file.error(place, BodyProblem::RowTwice(index).into()));
         }
@@ -171,7 +171,7 @@ fn column(file: &Survey, quantities: &[&'static str], n: usize) -> Result<(usize
 ///
 /// Text that is not such a file, with line and column.
 pub fn parse_answers(name: &str, text: &str, body: &Body) -> Result<Brought, Box<FileError>> {
-    let file = Survey { name: name.to_owned(), text: text.to_owned() };
+    let file = Survey::new(name.to_owned(), text.to_owned());
     let (which, values) = column(&file, &["force", "clearance"], body.program().dimension())?;
     Ok(if which == 0 { Brought::Force(values) } else { Brought::Clearance(values) })
 }

@@ -3,7 +3,8 @@
 use toml::de::DeTable;
 
 use super::Problem;
-use super::table::{Error, Keys, Span, Value};
+use super::columns::Named;
+use super::table::{Error, Keys, Value};
 use crate::scene::{Foundation, LinearLoad, PointLoad, Profile, Support, Units};
 
 /// All of it.
@@ -122,8 +123,8 @@ const GROUND: &[&str] = &["depth", "polynomial", "cosine", "points", "survey", "
 pub(super) enum Given {
     /// The profile itself.
     Profile(Foundation),
-    /// The name of a survey, and where it is written.
-    Survey { path: String, span: Span },
+    /// The name of a survey, and what is read of it.
+    Survey(Named),
 }
 
 /// The profile in the table `key` of `parent`, if it is there: exactly one of five ways to give a depth `u(x)`, or `w0(x)`.
@@ -166,7 +167,7 @@ fn one(kind: &str, value: &Value<'_>) -> Result<Given, Error> {
         "points" => Foundation::Polyline {
             points: value.elements("an array of points [x, depth]")?.iter().map(point).collect::<Result<_, _>>()?,
         },
-        _ => return Ok(Given::Survey { path: value.line_of_text()?, span: value.span() }),
+        _ => return Named::of(value).map(Given::Survey),
     }))
 }
 

@@ -4,6 +4,7 @@ use std::fmt;
 
 use super::Problem;
 use super::problem::is_forbidden;
+use super::survey::line_end;
 use super::table::Span;
 
 /// Why a file is no scene, or no survey.
@@ -24,8 +25,8 @@ pub struct Place {
     pub line: usize,
     /// Column, in characters, from 1.
     pub column: usize,
-    /// The line itself.
-    text: String,
+    /// The line itself, unless it is not to be shown.
+    text: Option<String>,
     /// Bytes of it that are meant.
     marked: Span,
 }
@@ -48,19 +49,40 @@ impl FileError {
         Self { file: file.to_owned(), place: Some(place), problem }
     }
 
+    /// The same error; the message repeats no text of the file, only the place in it.
+    #[must_use]
+    pub fn without_text(mut self) -> Self {
+        if let Some(place) = &mut self.place {
+            place.text = None;
+        }
+        Self { problem: self.problem.without_text(), ..self }
+    }
+
     /// The message with its picture, in colours of a terminal if `colour`. Without the feature `cli` there is no picture.
     #[must_use]
     pub fn render(&self, colour: bool) -> String {
-        // Names of files and keys may hold anything; what is not printable must not reach a terminal.
+        // Names of files, keys and columns may hold anything; what is not printable must not reach a terminal.
         let title = printable(&self.problem.to_string());
         let file = printable(&self.file);
-        picture(&title, &file, self.place.as_ref(), self.problem.expected(), colour)
+        let lines = |text: String| text.split('\n').map(printable).collect::<Vec<_>>().join("\n");
+        let notes = [self.problem.expected(), self.problem.help()].map(|note| note.map(lines));
+        picture(&title, &file, self.place.as_ref(), notes, colour)
     }
 }
 
+/// What a message says in the place of text that it does not repeat.
+#[cfg(feature = "cli")]
+const NOT_SHOWN: &str = "the text of this file is not shown: the file is outside the folder of the scene";
+
 /// The line in which the place is, with a caret below it.
 #[cfg(feature = "cli")]
-fn picture(title: &str, file: &str, place: Option<&Place>, expected: Option<String>, colour: bool) -> String {
+fn picture(
+    title: &str,
+    file: &str,
+    place: Option<&Place>,
+    [expected, help]: [Option<String>; 2],
+    colour: bool,
+) -> String {
     use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 
     /// Lines that are longer get no picture \[bytes\]: nobody would see the caret.
@@ -75,14 +97,23 @@ fn picture(title: &str, file: &str, place: Option<&Place>, expected: Option<Stri
 
     let title = Level::ERROR.primary_title(title);
     let group = match place {
-        Some(place) if place.text.len() <= LONGEST_LINE => title.element(
-            Snippet::source(&*place.text)
-                .path(file)
-                .line_start(place.line)
-                .annotation(AnnotationKind::Primary.span(place.marked.clone()).label(expected)),
-        ),
-        Some(place) => note(title.element(Origin::path(file).line(place.line).char_column(place.column)), expected),
         None => note(title.element(Origin::path(file)), expected),
+        Some(place) => match place.text.as_deref().filter(|line| line.len() <= LONGEST_LINE) {
+            Some(line) => title.element(
+                Snippet::source(line)
+                    .path(file)
+                    .line_start(place.line)
+                    .annotation(AnnotationKind::Primary.span(place.marked.clone()).label(expected)),
+            ),
+            None => {
+                let group = title.element(Origin::path(file).line(place.line).char_column(place.column));
+                note(note(group, expected), place.text.is_none().then(|| NOT_SHOWN.to_owned()))
+            }
+        },
+    };
+    let group = match help {
+        Some(help) => group.element(Level::HELP.message(help)),
+        None => group,
     };
     let renderer = if colour { Renderer::styled() } else { Renderer::plain() };
     renderer.render(&[group])
@@ -90,10 +121,11 @@ fn picture(title: &str, file: &str, place: Option<&Place>, expected: Option<Stri
 
 /// Where the place is, in numbers.
 #[cfg(not(feature = "cli"))]
-fn picture(title: &str, file: &str, place: Option<&Place>, expected: Option<String>, _: bool) -> String {
+fn picture(title: &str, file: &str, place: Option<&Place>, [expected, help]: [Option<String>; 2], _: bool) -> String {
     let place = place.map_or_else(String::new, |place| format!(":{}:{}", place.line, place.column));
     let expected = expected.map_or_else(String::new, |expected| format!("\nnote: {expected}"));
-    format!("error: {title}\n --> {file}{place}{expected}")
+    let help = help.map_or_else(String::new, |help| format!("\nhelp: {help}"));
+    format!("error: {title}\n --> {file}{place}{expected}{help}")
 }
 
 impl fmt::Display for FileError {
@@ -109,15 +141,16 @@ impl Place {
     fn of(text: &str, span: Span) -> Self {
         let start = floor_char_boundary(text, span.start);
         let end = floor_char_boundary(text, span.end).max(start);
-        let line_start = text[..start].rfind('\n').map_or(0, |i| i + 1);
-        let line_end = text[start..].find('\n').map_or(text.len(), |i| start + i);
+        let line_break = line_end(text);
+        let line_start = text[..start].rfind(line_break).map_or(0, |i| i + 1);
+        let line_end = text[start..].find(line_break).map_or(text.len(), |i| start + i);
         let line_end = if text[line_start..line_end].ends_with('\r') { line_end - 1 } else { line_end };
         let line = &text[line_start..line_end];
         let start = start.min(line_end);
         Self {
-            line: text[..line_start].matches('\n').count() + 1,
+            line: text[..line_start].matches(line_break).count() + 1,
             column: text[line_start..start].chars().count() + 1,
-            text: line.replace(is_c1, "\u{b7}"),
+            text: Some(line.replace(is_c1, "\u{b7}")),
             marked: start - line_start..end.min(line_end) - line_start,
         }
     }

@@ -1,8 +1,7 @@
 //! Contact forces as CSV, `x,force`, one force in each row, laid out like a survey.
 
-use super::problem::excerpt;
 use super::survey::Survey;
-use super::{FileError, Problem};
+use super::{FileError, Found, Problem};
 
 const FIELDS: [&str; 2] = ["x", "force"];
 
@@ -14,13 +13,13 @@ const FIELDS: [&str; 2] = ["x", "force"];
 ///
 /// Text that is not such a file, numbers that are not finite, and places that are not on the beam, all with line and column.
 pub fn parse_forces(name: &str, text: &str, length: f64) -> Result<Vec<(f64, f64)>, Box<FileError>> {
-    let file = Survey { name: name.to_owned(), text: text.to_owned() };
+    let file = Survey::new(name.to_owned(), text.to_owned());
     let (layout, mut rows) = (file.layout(), file.rows());
     let Some((header, span)) = rows.next() else {
         return Err(file.error(0..0, Problem::ForcesWithoutHeader));
     };
     if !layout.fields(header, span.start).map(|(name, _)| name).eq(FIELDS) {
-        return Err(file.error(span, Problem::ForcesHeader { found: excerpt(header) }));
+        return Err(file.error(span, Problem::ForcesHeader { found: Found::of(header) }));
     }
     let forces = rows.map(|(row, span)| {
         let mut given = layout.fields(row, span.start);
@@ -29,7 +28,7 @@ pub fn parse_forces(name: &str, text: &str, length: f64) -> Result<Vec<(f64, f64
             return Err(file.error(span, Problem::ForcesFields { found }));
         };
         let at = x.1.clone();
-        let (x, force) = (file.number(layout, FIELDS[0], x)?, file.number(layout, FIELDS[1], force)?);
+        let (x, force) = (file.number(&layout, FIELDS[0], x)?, file.number(&layout, FIELDS[1], force)?);
         if (0.0..=length).contains(&x) {
             Ok((x, force))
         } else {

@@ -8,12 +8,16 @@
 //! Nothing here opens a file: the caller passes the text, and a function that reads a survey.
 
 mod body;
+mod columns;
 mod contents;
 mod error;
 mod forces;
+mod instead;
 mod locate;
 mod problem;
+mod reader;
 mod survey;
+mod survey_problem;
 mod table;
 
 use toml::Spanned;
@@ -22,7 +26,8 @@ use toml::de::DeTable;
 pub use body::{Beside, Model, parse_answers};
 pub use error::FileError;
 pub use forces::parse_forces;
-pub use problem::{Problem, ReadProblem};
+pub use problem::{Found, Problem, ReadProblem};
+pub use survey_problem::{Declaration, SurveyProblem};
 
 use self::contents::{BeamKeys, Given, LoadKeys};
 use self::locate::Located;
@@ -69,14 +74,17 @@ fn parse_beam(
 ) -> Result<Scene, Box<FileError>> {
     let name = source.name;
     let mut contents = contents::read(document.get_ref()).map_err(|e| source.error(e.span, e.problem))?;
+    let length = contents.beam.length;
     let mut profile = |given: Option<Given>| match given {
         None => Ok::<_, Box<FileError>>((None, None)),
         Some(Given::Profile(profile)) => Ok((Some(profile), None)),
-        Some(Given::Survey { path, span }) => {
-            let unreadable = |problem| source.error(span, Problem::UnreadableSurvey { path: path.clone(), problem });
-            let text = read_survey(&path).and_then(survey::with_memory).map_err(unreadable)?;
-            let survey = Survey { name: survey::beside(name, &path), text };
-            Ok((Some(Foundation::Polyline { points: survey.points()? }), Some(survey)))
+        Some(Given::Survey(named)) => {
+            let path = named.path.clone();
+            let unreadable = |problem| source.error(named.span.clone(), Problem::UnreadableSurvey { path, problem });
+            let text = read_survey(&named.path).and_then(survey::with_memory).map_err(unreadable)?;
+            let mut survey = Survey::named(name, named, text);
+            let points = survey.points_on_beam(length)?;
+            Ok((Some(Foundation::Polyline { points }), Some(survey)))
         }
     };
     let (foundation, below) = profile(contents.foundation)?;

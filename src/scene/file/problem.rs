@@ -1,6 +1,11 @@
 //! What can be wrong with a scene file or a survey, besides what it describes.
 
+use std::fmt;
+
+use super::instead::instead;
+use super::survey_problem::{MARKS, SurveyProblem};
 use crate::body::BodyProblem;
+use crate::scene::error::against;
 use crate::scene::{Profile, SceneError};
 
 /// Why a file could not be read as text: the error of the function that the caller passes for reading.
@@ -15,6 +20,9 @@ pub enum ReadProblem {
     /// It is a named pipe.
     #[error("it is a named pipe, which may wait forever; standard input is `-`")]
     NamedPipe,
+    /// It is a device, a pipe or a socket, and the scene file names it.
+    #[error("it is not a regular file; a scene can name only regular files")]
+    NotRegular,
     /// The operating system refused.
     #[error("it cannot be read ({reason})")]
     Refused {
@@ -154,26 +162,14 @@ pub enum Problem {
     /// A body is none.
     #[error(transparent)]
     Body(#[from] BodyProblem),
-    /// A survey without its header.
-    #[error("a survey must begin with the header `x,depth`, but begins with {found:?}")]
-    SurveyHeader {
-        /// What is there.
-        found: String,
-    },
-    /// A survey without anything in it.
-    #[error("the survey has neither header nor points")]
-    SurveyWithoutHeader,
-    /// A row of a survey that is not a point.
-    #[error("a row of a survey must have 2 fields, x and depth, but this one has {found}")]
-    SurveyFields {
-        /// How many it has.
-        found: usize,
-    },
+    /// A survey is none.
+    #[error(transparent)]
+    Survey(#[from] SurveyProblem),
     /// Contact forces without their header.
-    #[error("contact forces must begin with the header `x,force`, but begin with {found:?}")]
+    #[error("contact forces must begin with the header `x,force`, but begin with {found}")]
     ForcesHeader {
         /// What is there.
-        found: String,
+        found: Found,
     },
     /// A file of contact forces without anything in it.
     #[error("the file of contact forces has neither header nor forces")]
@@ -185,7 +181,7 @@ pub enum Problem {
         found: usize,
     },
     /// A force that does not act on the beam.
-    #[error("`x` must lie on the beam, between 0 and {length}, but is {x}")]
+    #[error("`x` must lie on the beam, between 0 and {}, but is {}", against(*length, *x), against(*x, *length))]
     ForceOutsideBeam {
         /// Where it acts.
         x: f64,
@@ -193,20 +189,22 @@ pub enum Problem {
         length: f64,
     },
     /// A field of a survey, or of contact forces, that is not a number.
-    #[error("`{quantity}` must be a finite number, but is {found:?}")]
+    #[error("`{quantity}` must be a finite number, but is {found}")]
     SurveyNumber {
         /// `x`, `depth` or `force`.
         quantity: &'static str,
         /// What is there.
-        found: String,
+        found: Found,
     },
-    /// A decimal point in a file that has decimal commas.
-    #[error("`{quantity}` is {found:?}, but other numbers of this file have a decimal comma")]
+    /// A decimal point in a file that has decimal commas, or the other way round.
+    #[error("`{quantity}` is {found}, but other numbers of this file have a decimal {}", if *mark == ',' { "comma" } else { "point" })]
     BothDecimalMarks {
+        /// The mark of the others, a comma or a point.
+        mark: char,
         /// `x`, `depth` or `force`.
         quantity: &'static str,
         /// What is there.
-        found: String,
+        found: Found,
     },
     /// A character that would make a figure unreadable, or its text another one than is written.
     #[error("`{path}` must not have the character U+{:04X}, its character {place}: {}", u32::from(*character), why_forbidden(*character))]
@@ -234,6 +232,29 @@ fn why_forbidden(character: char) -> &'static str {
 }
 
 impl Problem {
+    /// The same problem; the message repeats no text of the file.
+    pub(super) fn without_text(mut self) -> Self {
+        match &mut self {
+            Self::ForcesHeader { found } | Self::SurveyNumber { found, .. } | Self::BothDecimalMarks { found, .. } => {
+                *found = Found::NotShown
+            }
+            Self::Body(problem) => problem.hide_text(),
+            Self::Survey(problem) => problem.hide_text(),
+            _ => {}
+        }
+        self
+    }
+
+    /// What to do instead, of mistakes that are made often.
+    #[must_use]
+    pub fn help(&self) -> Option<String> {
+        match self {
+            Self::UnknownKey { key, table, known } => instead(key, table, known).map(str::to_owned),
+            Self::Survey(problem) => problem.help(),
+            _ => None,
+        }
+    }
+
     /// What is expected at the place that the message points at, where the message does not say it yet.
     #[must_use]
     pub fn expected(&self) -> Option<String> {
@@ -246,10 +267,8 @@ impl Problem {
             Self::BothDecimalMarks { .. } => {
                 Some("expected one decimal mark in all numbers, and nothing between thousands".to_owned())
             }
-            Self::SurveyFields { found: 3.. } | Self::ForcesFields { found: 3.. } => Some(
-                "expected decimal points; with decimal commas, `;` between the fields, in the header as well"
-                    .to_owned(),
-            ),
+            Self::ForcesFields { found: 3.. } => Some(MARKS.to_owned()),
+            Self::Survey(problem) => problem.expected(),
             Self::KeyTwice { .. } => Some("expected only once".to_owned()),
             Self::NoProfileKind { of, .. } => {
                 Some(format!("expected exactly one of them, or no {} at all", table_of(*of)))
@@ -260,9 +279,6 @@ impl Problem {
             Self::Empty => Some("expected a scene in TOML, with at least a table [beam]".to_owned()),
             Self::ForcesHeader { .. } | Self::ForcesWithoutHeader => {
                 Some("expected `x,force`, then one force in each row".to_owned())
-            }
-            Self::SurveyHeader { .. } | Self::SurveyWithoutHeader => {
-                Some("expected `x,depth`, then one point in each row".to_owned())
             }
             _ => None,
         }
@@ -281,7 +297,7 @@ fn table_of(profile: Profile) -> &'static str {
     }
 }
 
-fn list(keys: &[&str]) -> String {
+pub(super) fn list(keys: &[&str]) -> String {
     let keys: Vec<_> = keys.iter().map(|key| format!("`{key}`")).collect();
     keys.join(", ")
 }
@@ -292,6 +308,31 @@ fn in_words_of_the_file(error: &SceneError, quantity: Option<&'static str>) -> S
     match (error.quantity(), quantity) {
         (Some(from), Some(to)) => message.replacen(&from.to_string(), to, 1),
         _ => message,
+    }
+}
+
+/// What a file has in the place of what is expected, as a message repeats it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Found {
+    /// The beginning of the text.
+    Text(String),
+    /// Text of a file whose text no message repeats.
+    NotShown,
+}
+
+impl Found {
+    /// The beginning of `text`.
+    pub(crate) fn of(text: &str) -> Self {
+        Self::Text(excerpt(text))
+    }
+}
+
+impl fmt::Display for Found {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Text(text) => write!(f, "{text:?}"),
+            Self::NotShown => f.write_str("text that is not shown"),
+        }
     }
 }
 

@@ -1,119 +1,224 @@
-//! A survey: the depths of a foundation as CSV, `x,depth`, one point in each row.
+//! A table as CSV, with the place of each field. A survey is one: by itself with the header `x,depth` and one point in each row, and else as
+//! the scene file [declares its columns](super::columns).
 //!
-//! Blank lines and lines that start with `#` are left out, spaces round a field are trimmed, a byte order mark and
-//! Windows line ends are accepted. Nothing is quoted: the fields are numbers.
+//! Blank lines and lines that start with `#` are left out, spaces round a field are trimmed, fields may be quoted, a byte order mark and
+//! line ends of Windows and of old Macs are accepted. A library for CSV would give the place of a row, and messages point at a field.
 //!
-//! Where a comma is the decimal mark, spreadsheets part the fields by `;`. A file whose header does so may have decimal commas;
-//! one that has any has no decimal points, as a point could then part thousands.
+//! Where a comma is the decimal mark, spreadsheets part the fields by `;`, and say so in a first line `sep=;`, or they quote them. One file
+//! has one decimal mark: a point beside commas could part thousands.
 
+use std::cell::Cell;
 use std::path::Path;
 
-use super::problem::excerpt;
+use super::columns::{Columns, Named};
+use super::reader::{Decimal, Reader, on_beam};
+use super::survey_problem::{Declaration, SurveyProblem};
 use super::table::Span;
-use super::{FileError, Problem, ReadProblem, Source};
+use super::{FileError, Found, Problem, ReadProblem, Source};
 use crate::memory::can_be_had;
 
 const FIELDS: [&str; 2] = ["x", "depth"];
 
-/// A survey as a file.
+/// What may part fields, the surest first: a comma may also be a decimal mark.
+const SEPARATORS: [char; 3] = [';', '\t', ','];
+
+/// A table as a file.
 #[derive(Debug)]
 pub(super) struct Survey {
     pub(super) name: String,
     pub(super) text: String,
+    /// The name of the file in the scene.
+    path: String,
+    /// Of a survey whose columns are declared.
+    columns: Option<Columns>,
+    /// Points in front of the beam, which were left out.
+    left_out: usize,
 }
 
-/// A field of a row: its text, trimmed, and where it is.
+/// A field of a row: its text, trimmed and without quotes, and where it is.
 pub(super) type Field<'a> = (&'a str, Span);
 
 /// How the rows of a file are written.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug)]
 pub(super) struct Layout {
-    separator: char,
-    decimal_comma: bool,
+    pub(super) separator: char,
+    /// The decimal mark, when one was met.
+    mark: Cell<Option<char>>,
 }
 
 impl Layout {
-    /// The fields of a row that starts at byte `start` of its file.
-    pub(super) fn fields(self, row: &str, start: usize) -> impl Iterator<Item = Field<'_>> {
-        pieces(row, self.separator, start)
+    pub(super) fn of(separator: char) -> Self {
+        Self { separator, mark: Cell::new(None) }
     }
 
-    /// A finite number. `1e999` parses as infinity, `nan` and `inf` as what they say: none of them is a level or a force.
-    fn number(self, text: &str) -> Option<f64> {
-        let number = match self.decimal_comma {
-            true if text.contains('.') => return None,
-            true => text.replace(',', ".").parse::<f64>(),
-            false => text.parse::<f64>(),
+    /// The fields of a row that starts at byte `start` of its file.
+    pub(super) fn fields<'a>(&self, row: &'a str, start: usize) -> impl Iterator<Item = Field<'a>> {
+        Fields { row, start, next: Some(0), separator: self.separator }
+    }
+
+    /// A finite number; else the decimal mark that others have, if that is what is wrong. `1e999` parses as infinity, `nan` and `inf` as
+    /// what they say: none of them is a level or a force.
+    pub(super) fn number(&self, text: &str) -> Result<Decimal, Option<char>> {
+        let mark = text.find(['.', ',']).map(|at| (at, if text[at..].starts_with('.') { '.' } else { ',' }));
+        let number = match mark {
+            Some((_, ',')) => text.replacen(',', ".", 1).parse::<f64>(),
+            _ => text.parse::<f64>(),
         };
-        number.ok().filter(|number| number.is_finite())
+        let value = number.ok().filter(|number| number.is_finite()).ok_or(None)?;
+        let Some((at, mark)) = mark else { return Ok(Decimal { value, places: Some(0) }) };
+        match self.mark.replace(Some(mark)) {
+            Some(other) if other != mark => {
+                self.mark.set(Some(other));
+                Err(Some(other))
+            }
+            _ => {
+                let places = &text[at + 1..];
+                let is_plain = places.bytes().all(|byte| byte.is_ascii_digit());
+                Ok(Decimal { value, places: is_plain.then_some(places.len()) })
+            }
+        }
     }
 }
 
 impl Survey {
-    /// The points, as many as the file has: whether they make a polyline is for the scene to judge.
-    pub(super) fn points(&self) -> Result<Vec<[f64; 2]>, Box<FileError>> {
-        let (layout, mut rows) = (self.layout(), self.rows());
-        let Some((header, span)) = rows.next() else {
-            return Err(self.error(0..0, Problem::SurveyWithoutHeader));
-        };
-        if !layout.fields(header, span.start).map(|(name, _)| name).eq(FIELDS) {
-            return Err(self.error(span, Problem::SurveyHeader { found: excerpt(header) }));
-        }
-        rows.map(|(row, span)| self.point(layout, row, span)).collect()
+    /// Any table.
+    pub(super) fn new(name: String, text: String) -> Self {
+        Self { name, text, path: String::new(), columns: None, left_out: 0 }
     }
 
-    fn point(&self, layout: Layout, row: &str, span: Span) -> Result<[f64; 2], Box<FileError>> {
+    /// A survey that the scene file `scene` names.
+    pub(super) fn named(scene: &str, Named { path, columns, .. }: Named, text: String) -> Self {
+        Self { name: beside(scene, &path), text, path, columns, left_out: 0 }
+    }
+
+    /// The points on a beam of some length.
+    pub(super) fn points_on_beam(&mut self, length: f64) -> Result<Vec<[f64; 2]>, Box<FileError>> {
+        let is_cut = self.columns.as_ref().is_some_and(|columns| columns.origin.is_some());
+        let (points, left_out) = on_beam(self.points()?, length, is_cut);
+        self.left_out = left_out;
+        Ok(points)
+    }
+
+    /// The points, as many as the file has: whether they make a polyline is for the scene to judge.
+    fn points(&self) -> Result<Vec<[f64; 2]>, Box<FileError>> {
+        if let Some(columns) = &self.columns {
+            return Reader::of(self, columns)?.points();
+        }
+        let (layout, mut rows) = (self.layout(), self.rows());
+        let Some((header, span)) = rows.next() else {
+            return Err(self.error(0..0, SurveyProblem::WithoutHeader.into()));
+        };
+        if !layout.fields(header, span.start).map(|(name, _)| name).eq(FIELDS) {
+            let declare = Some(Declaration { file: self.path.clone(), columns: self.names(header) });
+            return Err(self.error(span, SurveyProblem::Header { found: Found::of(header), declare }.into()));
+        }
+        rows.map(|(row, span)| self.point(&layout, row, span)).collect()
+    }
+
+    fn point(&self, layout: &Layout, row: &str, span: Span) -> Result<[f64; 2], Box<FileError>> {
         let mut given = layout.fields(row, span.start);
         let (Some(x), Some(depth), None) = (given.next(), given.next(), given.next()) else {
             let found = layout.fields(row, span.start).count();
-            return Err(self.error(span, Problem::SurveyFields { found }));
+            return Err(self.error(span, SurveyProblem::Fields { found }.into()));
         };
         Ok([self.number(layout, FIELDS[0], x)?, self.number(layout, FIELDS[1], depth)?])
     }
 
-    /// The layout of the file: `;` parts its fields if it does so in the header, and then commas are decimal.
+    /// The layout of the file, by its first row.
     pub(super) fn layout(&self) -> Layout {
-        let semicolon = self.rows().next().is_some_and(|(header, _)| header.contains(';'));
-        let decimal_comma = semicolon && self.rows().skip(1).any(|(row, _)| row.contains(','));
-        Layout { separator: if semicolon { ';' } else { ',' }, decimal_comma }
+        Layout::of(self.separator(self.rows().next().map_or("", |(header, _)| header)))
+    }
+
+    /// What parts the fields of a row, if it is the first.
+    pub(super) fn separator(&self, first: &str) -> char {
+        let separators = self.separators();
+        let used = separators.iter().find(|separator| 1 < Layout::of(**separator).fields(first, 0).count());
+        used.or(separators.last()).copied().unwrap_or(',')
+    }
+
+    /// What may part the fields: what a first line `sep=;` says, if there is one.
+    pub(super) fn separators(&self) -> Vec<char> {
+        self.begin().1.map_or_else(|| SEPARATORS.to_vec(), |separator| vec![separator])
+    }
+
+    /// The names in a row, if it is the header.
+    pub(super) fn names(&self, header: &str) -> Vec<String> {
+        Layout::of(self.separator(header)).fields(header, 0).map(|(name, _)| name.to_owned()).collect()
     }
 
     pub(super) fn number(
         &self,
-        layout: Layout,
+        layout: &Layout,
+        quantity: &'static str,
+        field: Field<'_>,
+    ) -> Result<f64, Box<FileError>> {
+        self.decimal(layout, quantity, field).map(|number| number.value)
+    }
+
+    pub(super) fn decimal(
+        &self,
+        layout: &Layout,
         quantity: &'static str,
         (text, span): Field<'_>,
-    ) -> Result<f64, Box<FileError>> {
-        let wrong = || {
-            let found = excerpt(text);
-            let problem = if layout.decimal_comma && text.contains('.') {
-                Problem::BothDecimalMarks { quantity, found }
-            } else {
-                Problem::SurveyNumber { quantity, found }
+    ) -> Result<Decimal, Box<FileError>> {
+        layout.number(text).map_err(|other| {
+            let found = Found::of(text);
+            let problem = match other {
+                Some(mark) => Problem::BothDecimalMarks { quantity, found, mark },
+                None => Problem::SurveyNumber { quantity, found },
             };
-            self.error(span.clone(), problem)
-        };
-        layout.number(text).ok_or_else(wrong)
+            self.error(span, problem)
+        })
     }
 
     /// Name and place of coordinate `axis` of point `index`.
     pub(super) fn place(&self, index: usize, axis: usize) -> (&'static str, Span) {
-        let end = self.text.len();
-        let (layout, row) = (self.layout(), self.rows().nth(index + 1));
-        let field = row.and_then(|(row, span)| layout.fields(row, span.start).nth(axis));
-        (FIELDS[axis], field.map_or(end..end, |(_, span)| span))
+        let end = self.text.len()..self.text.len();
+        let Some(columns) = &self.columns else {
+            let (layout, row) = (self.layout(), self.rows().nth(index + 1));
+            let field = row.and_then(|(row, span)| layout.fields(row, span.start).nth(axis));
+            return (FIELDS[axis], field.map_or(end, |(_, span)| span));
+        };
+        let rows = Reader::of(self, columns).map(|reader| reader.places()).unwrap_or_default();
+        let field = rows.get(self.left_out + index).map(|(fields, _)| fields[axis].1.clone());
+        (["x", columns.quantity()][axis], field.unwrap_or(end))
     }
 
     /// Where the points end.
     pub(super) fn last_row(&self) -> Span {
+        if let Some(columns) = &self.columns {
+            let rows = Reader::of(self, columns).map(|reader| reader.places()).unwrap_or_default();
+            return rows.last().map_or(0..0, |(_, whole)| whole.clone());
+        }
         self.rows().last().map_or(0..0, |(_, span)| span)
     }
 
-    /// The lines that say something, trimmed, with their places; the first is the header.
+    /// The lines that say something, with their places and without blanks round them; the first is the header.
     pub(super) fn rows(&self) -> impl Iterator<Item = Field<'_>> {
+        let (begin, _) = self.begin();
+        let end = line_end(&self.text);
+        let mut next = begin;
+        self.text[begin..].split(end).filter_map(move |line| {
+            let at = next + (line.len() - line.trim_start_matches(BLANKS).len());
+            next += line.len() + end.len_utf8();
+            let line = line.trim_matches(BLANKS);
+            let says_something = !line.trim_start().starts_with('#') && !line.trim_start().is_empty();
+            says_something.then_some((line, at..at + line.len()))
+        })
+    }
+
+    /// Where the rows begin, and what parts their fields if a first line says so.
+    fn begin(&self) -> (usize, Option<char>) {
         // U+FEFF, the byte order mark, is no white space to `trim`.
         let start = if self.text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
-        pieces(&self.text[start..], '\n', start).filter(|(line, _)| !line.is_empty() && !line.starts_with('#'))
+        let line = self.text[start..].split(line_end(&self.text)).next().unwrap_or_default();
+        let mut rest = line.get(..4).filter(|key| key.eq_ignore_ascii_case("sep=")).map_or("", |_| &line[4..]).chars();
+        match (rest.next(), rest.as_str().trim()) {
+            (Some(separator), "") if separator != '\r' => {
+                ((start + line.len() + 1).min(self.text.len()), Some(separator))
+            }
+            _ => (start, None),
+        }
     }
 
     pub(super) fn error(&self, span: Span, problem: Problem) -> Box<FileError> {
@@ -121,24 +226,68 @@ impl Survey {
     }
 }
 
+/// Round a row; a tab may part fields.
+const BLANKS: [char; 2] = [' ', '\r'];
+
+/// What ends a line: `\n`, or `\r` in a file of old Macs, which has no `\n`.
+pub(super) fn line_end(text: &str) -> char {
+    if text.contains('\n') || !text.contains('\r') { '\n' } else { '\r' }
+}
+
+/// The fields of a row.
+struct Fields<'a> {
+    row: &'a str,
+    start: usize,
+    /// Where the next field begins.
+    next: Option<usize>,
+    separator: char,
+}
+
+impl<'a> Iterator for Fields<'a> {
+    type Item = Field<'a>;
+
+    fn next(&mut self) -> Option<Field<'a>> {
+        let begin = self.next?;
+        let rest = &self.row[begin..];
+        let quoted = quoted(rest);
+        let end = begin + quoted + rest[quoted..].find(self.separator).unwrap_or(rest.len() - quoted);
+        self.next = (end < self.row.len()).then_some(end + self.separator.len_utf8());
+        let field = &self.row[begin..end];
+        let (text, at) = (field.trim(), begin + field.len() - field.trim_start().len());
+        let inside = text.strip_prefix('"').and_then(|text| text.strip_suffix('"')).filter(|_| 0 < quoted);
+        let (text, at) = inside.map_or((text, at), |inside| {
+            (inside.trim(), at + '"'.len_utf8() + inside.len() - inside.trim_start().len())
+        });
+        Some((text, self.start + at..self.start + at + text.len()))
+    }
+}
+
+/// How many bytes of a text are in quotes at its beginning; two quotes within them are one that is meant.
+fn quoted(text: &str) -> usize {
+    let blank = text.len() - text.trim_start_matches(' ').len();
+    let bytes = text.as_bytes();
+    if bytes.get(blank) != Some(&b'"') {
+        return 0;
+    }
+    let mut at = blank + 1;
+    while let Some(quote) = text[at..].find('"') {
+        at += quote + 1;
+        if bytes.get(at) != Some(&b'"') {
+            return at;
+        }
+        at += 1;
+    }
+    text.len()
+}
+
 /// The text, if there is memory for its points.
 pub(super) fn with_memory(text: String) -> Result<String, ReadProblem> {
     /// For each row while a scene is made: some four times its point.
     const BYTES_PER_ROW: usize = 64;
-    if can_be_had(text.matches('\n').count(), BYTES_PER_ROW) {
+    if can_be_had(text.matches(line_end(&text)).count(), BYTES_PER_ROW) {
         return Ok(text);
     }
     Err(ReadProblem::Refused { reason: "out of memory".to_owned() })
-}
-
-/// Pieces of a text that starts at byte `start` of its file, trimmed.
-fn pieces(text: &str, separator: char, start: usize) -> impl Iterator<Item = Field<'_>> {
-    text.split(separator).scan(start, move |next, piece| {
-        let at = *next + (piece.len() - piece.trim_start().len());
-        *next += piece.len() + separator.len_utf8();
-        let piece = piece.trim();
-        Some((piece, at..at + piece.len()))
-    })
 }
 
 /// The survey `path` as messages call it: beside the scene file `scene`, where it is looked for.

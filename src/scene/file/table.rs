@@ -84,6 +84,11 @@ impl<'a> Keys<'a> {
         self.get(key).map(truth).transpose()
     }
 
+    /// A value that has to be there.
+    pub(super) fn required_value(&self, key: &str, expected: &'static str) -> Result<Value<'a>, Error> {
+        self.required(key, expected, self.get(key))
+    }
+
     pub(super) fn required_number(&self, key: &str) -> Result<f64, Error> {
         self.required(key, "a number", self.number(key)?)
     }
@@ -138,6 +143,24 @@ impl<'a> Value<'a> {
             _ => return Err(not_a_number()),
         };
         number.ok_or_else(|| Error { span: self.span(), problem: Problem::BeyondRange { path: self.path.clone() } })
+    }
+
+    /// A number that is finite.
+    pub(super) fn finite(&self) -> Result<f64, Error> {
+        self.number()
+            .and_then(|number| if number.is_finite() { Ok(number) } else { Err(self.wrong_type("a finite number")) })
+    }
+
+    /// A whole number that is not negative, if it is one.
+    pub(super) fn whole(&self) -> Option<usize> {
+        match self.value.get_ref() {
+            DeValue::Integer(integer) => usize::from_str_radix(integer.as_str(), integer.radix()).ok(),
+            _ => None,
+        }
+    }
+
+    pub(super) fn is_table(&self) -> bool {
+        matches!(self.value.get_ref(), DeValue::Table(_))
     }
 
     pub(super) fn table(&self, known: &'static [&'static str]) -> Result<Keys<'a>, Error> {

@@ -5,8 +5,10 @@ mod certify;
 mod compare;
 mod exact;
 mod forces;
+mod help;
 mod hostile;
 mod json;
+mod layouts;
 mod output;
 mod refinement;
 mod scene_file;
@@ -14,6 +16,10 @@ mod shown;
 mod steady;
 mod streams;
 mod sweep;
+mod told;
+#[cfg(unix)]
+mod untrusted;
+mod warnings;
 mod words;
 
 use std::fs;

@@ -68,6 +68,68 @@ fn a_full_disk_behind_standard_output_is_a_failure() {
     assert!(output.stderr.starts_with(b"error: cannot print the answer: "), "it says why");
 }
 
+/// A link to a file that is not there yet leads there; the link stays, over any number of links.
+#[cfg(unix)]
+#[test]
+fn a_link_to_no_file_yet_is_followed() {
+    use std::os::unix::fs::symlink;
+    let folder = Folder::new("links");
+    fs::create_dir(folder.path("data")).expect("a folder");
+    for option in ["--csv", "--plot"] {
+        for (target, name) in [
+            ("new", "new"),
+            ("data/new", "data/new"),
+            ("next", "data/last"),
+            ("data/../new", "new"),
+            ("data/next", "new"),
+        ] {
+            for (file, to) in [("link", target), ("next", "data/last"), ("data/next", "../new")] {
+                // What the round before left.
+                let _ = fs::remove_file(folder.path(file));
+                symlink(to, folder.path(file)).expect("a link");
+            }
+            let run = folder.run(&format!("solve example.toml {option} link"));
+            assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{target}");
+            assert!(folder.path("link").is_symlink(), "{target}: the link stays");
+            let made = folder.path(name);
+            assert!(made.is_file() && !made.is_symlink(), "{target}: {name} is there");
+            fs::remove_file(made).expect("it was there");
+        }
+        symlink("circle", folder.path("circle")).expect("a link");
+        assert!(folder.refused(&format!("solve example.toml {option} circle")).contains("a link that leads to itself"));
+        fs::remove_file(folder.path("circle")).expect("the link");
+        symlink("nowhere/new", folder.path("lost")).expect("a link");
+        assert!(folder.refused(&format!("solve example.toml {option} lost")).contains("there is no such directory"));
+        fs::remove_file(folder.path("lost")).expect("the link");
+    }
+}
+
+/// A stream that was opened for reading loses every answer.
+#[cfg(unix)]
+#[test]
+fn a_standard_output_that_cannot_be_written_to_is_a_failure() {
+    let folder = Folder::new("unwritable");
+    folder.write("forces.csv", "x,force\n2.5,3\n7.5,3\n");
+    for arguments in [
+        "solve example.toml",
+        "solve example.toml --format json",
+        "solve example.toml --csv -",
+        "certify example.toml forces.csv",
+        "compare example.toml --intervals 4",
+        "sweep example.toml --vary load.uniform --from 1 --to 2 --steps 3",
+        "explain example.toml",
+        "completions bash",
+        "manual",
+        "--help",
+        "--version",
+        "solve --help",
+    ] {
+        let read_only = fs::File::open("/dev/null").expect("a device");
+        let output = folder.command(arguments).stdout(read_only).output().expect("it runs");
+        assert_eq!(output.status.code(), Some(2), "{arguments}: {}", String::from_utf8_lossy(&output.stderr));
+    }
+}
+
 /// A file that is there keeps its mode, whatever the mask for new ones is; one that may not be written stays, unless the
 /// user may write everything.
 #[cfg(unix)]

@@ -84,7 +84,7 @@ fn a_sweep_that_leaves_what_has_an_answer_prints_what_there_is() {
     let object: serde_json::Value = serde_json::from_str(&run.out).expect("one object");
     assert_eq!((object["rows"].as_array().map(Vec::len), object["stopped"]["of"].as_u64()), (Some(3), Some(5)));
     let reason = object["stopped"]["reason"].as_str().unwrap_or_default();
-    assert!(reason.contains("`foundation.depth` = -0.5, and none from -0 on"), "{reason}");
+    assert!(reason.contains("`foundation.depth` = -0.5, and none from 0 on"), "{reason}");
     let nothing = folder.run("sweep example.toml --vary foundation.depth --from -1 --to 1 --steps 5");
     assert!(nothing.code == Some(2) && nothing.out.is_empty(), "{}", nothing.err);
 }

@@ -1,7 +1,7 @@
 //! The equations of an explanation hold for the moments of the exact answer, and are those of a textbook.
 
 use palkki::explain::{Explanation, What};
-use palkki::scene::{Beam, LinearLoad, Load, Scene, Support};
+use palkki::scene::{Beam, Foundation, LinearLoad, Load, Scene, Support};
 use palkki::theory;
 use palkki_evidence::hostile;
 
@@ -43,6 +43,25 @@ fn a_triangular_load_has_the_terms_of_the_textbook() {
     // The ends have no moment: the largest is what the load alone would bend the span by.
     let [largest, expected] = [found.moment(), expected[1] / length];
     assert!((largest - expected).abs() <= 1e-13 * expected, "{largest}, not {expected}");
+}
+
+/// The shear forces stand at their nodes, not beside them: under any load, the force of a node follows from them in fifteen digits.
+#[test]
+fn shear_forces_stand_at_their_nodes() {
+    let mut nodes = 0;
+    for (depth, load) in (1..=20).flat_map(|i| [0.5, 3.0, 700.0].map(|load| (0.1 * f64::from(i), load))) {
+        let beam = Beam::new(10.0, load).expect("a beam");
+        let all = Load::uniform_on(&beam, load).expect("a load");
+        let scene = Scene::new(beam, all, Some(Foundation::Flat { depth })).expect("a scene");
+        let found = Explanation::of(&scene, &theory::solve(&scene).expect("an answer"));
+        for node in &found.nodes {
+            let [left, right] = node.shears;
+            let off = right - left + node.load - node.force;
+            assert!(off.abs() <= 2e-15 * 10.0 * load, "{depth}, {load}: {off:e} of {node:?}");
+            nodes += 1;
+        }
+    }
+    assert!(200 < nodes, "{nodes}");
 }
 
 /// Every equation of random scenes with supports, own shapes, points and zones holds; there are as many as unknowns, and statics hold.

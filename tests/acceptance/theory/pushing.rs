@@ -165,7 +165,7 @@ fn what_nothing_holds_is_refused() {
     let one = || vec![Support::simple(2.0), pushing(10.0, 0.0)];
     assert!(matches!(told(one(), &[[1.0, 1.0]]), Unheld::Turns { .. }));
     assert!(matches!(scene(one(), 0.0, &[[3.0, 1.0]], None).scaled().map(|s| s.balance), Ok(Balance::Stands(_))));
-    insta::assert_snapshot!(told(ends(), &[[11.0, 1.0]]), @"the loads have their resultant 1 at x = 11, outside the supports that push (2 … 10): the beam turns over its right end");
+    insta::assert_snapshot!(told(ends(), &[[11.0, 1.0]]), @"the loads have their resultant 1 at x = 11, outside the supports that push (2 … 10): the beam turns over its support at x = 10");
 }
 
 /// In the ground, level with it, or built in.

@@ -18,6 +18,14 @@ const LENGTH: f64 = 10.0;
 const SURVEYED: &str =
     "[beam]\nlength = 10\nbending_stiffness = 1\n[load]\nuniform = 1\n[foundation]\nsurvey = 'levels.csv'\n";
 
+/// The same with columns that are declared in several ways.
+const DECLARED: [&str; 4] = [
+    "{ file = 'levels.csv', x = 'x', depth = 'depth' }",
+    "{ file = 'levels.csv', x = 1, depth = 2, no_data = -9999 }",
+    "{ file = 'levels.csv', x = 2, elevation = 1, datum = 3.5, origin = -1 }",
+    "{ file = 'levels.csv', x = 1, elevation = 'depth', datum = 1, origin = 20, direction = 'down', no_data = '' }",
+];
+
 /// The survey that a scene finds when it names one.
 const LEVELS: &str = "x,depth\n0,1\n4,0.5\n10,1\n";
 
@@ -34,6 +42,10 @@ pub fn scene(bytes: &[u8]) -> bool {
 /// Reads bytes as the survey of a scene; true if it is one.
 pub fn survey(bytes: &[u8]) -> bool {
     let Ok(text) = std::str::from_utf8(bytes) else { return false };
+    for declared in DECLARED {
+        let scene = SURVEYED.replace("'levels.csv'", declared);
+        accepted(text, parse("scene.toml", &scene, |_| Ok::<_, ReadProblem>(text.to_owned())));
+    }
     accepted(text, parse("scene.toml", SURVEYED, |_| Ok::<_, ReadProblem>(text.to_owned())))
 }
 
@@ -42,7 +54,7 @@ pub fn forces(bytes: &[u8]) -> bool {
     let Ok(text) = std::str::from_utf8(bytes) else { return false };
     match parse_forces("forces.csv", text, LENGTH) {
         Ok(forces) => {
-            assert!(forces.len() <= text.lines().count(), "a force for each row at most");
+            assert!(forces.len() <= text.split(['\n', '\r']).count(), "a force for each row at most");
             assert!(
                 forces.iter().all(|(x, force)| (0.0..=LENGTH).contains(x) && force.is_finite()),
                 "on the beam, finite"
@@ -150,7 +162,7 @@ fn refused(text: &str, error: &FileError) {
     match &error.place {
         // `survey` reads two files; the scene file around it has fewer lines than this allows.
         Some(place) => {
-            let lines = text.split('\n').count().max(SURVEYED.split('\n').count());
+            let lines = text.split(['\n', '\r']).count().max(SURVEYED.split('\n').count());
             assert!((1..=lines).contains(&place.line), "line {} of {lines}", place.line);
             let longest = text.split('\n').map(|line| line.chars().count()).max().unwrap_or(0);
             let longest = longest.max(SURVEYED.len());

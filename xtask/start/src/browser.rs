@@ -1,16 +1,17 @@
 //! `cargo xtask browser`: opens `report/index.html` in an installed browser, without a window, and tries it out.
 //!
 //! The page tries itself when it is opened as `index.html#selftest`. Here it is put into frames of several widths, in both
-//! themes, and printed.
+//! themes, touched, and printed.
 
 use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
-use std::process::{Command, ExitCode, Stdio};
+use std::process::{Child, Command, ExitCode, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use crate::doctor;
+use crate::devtools::Page;
+use crate::{doctor, touch};
 
 /// Widths of a screen \[px\]: a desk and a telephone.
 const WIDTHS: [u32; 2] = [1280, 390];
@@ -81,6 +82,7 @@ fn tried(browser: &str, root: &Path) -> Result<(), String> {
         return Err(String::from("frames were not measured"));
     }
     println!("frame {frames}, with a grid of 300 intervals");
+    println!("touch {}", touch::tried(&mut browser.told()?, &format!("file://{}", page.display()))?);
     let print = |page: &Path| {
         let printed = browser.place.join("index.pdf");
         let to = format!("--print-to-pdf={}", printed.display());
@@ -115,23 +117,38 @@ struct Browser<'a> {
     place: PathBuf,
 }
 
+/// Where the browser writes.
+const CHANNELS: [&str; 2] = ["shown", "logged"];
+
 impl Browser<'_> {
-    /// Opens a file and returns what the browser writes on its two channels.
-    fn open(&self, arguments: &[&str], file: &Path) -> Result<(String, String), String> {
-        let [shown, logged] = ["shown", "logged"].map(|name| self.place.join(name));
-        let mut child = Command::new(self.program)
+    /// Starts the browser with a profile of this name; what it writes goes to files.
+    fn started(&self, profile: &str, arguments: &[&str]) -> Result<Child, String> {
+        let [shown, logged] = CHANNELS.map(|name| self.place.join(name));
+        Command::new(self.program)
             // The page is our own, and root, who runs many a check, has no sandbox.
             .args(["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-sync"])
             .args(["--disable-background-networking", "--disable-component-update", "--enable-logging=stderr"])
             .arg("--window-size=1400,1000")
-            .arg(format!("--user-data-dir={}", self.place.join("profile").display()))
+            .arg(format!("--user-data-dir={}", self.place.join(profile).display()))
             .args(arguments)
-            .arg(format!("file://{}", file.display()))
             .stdin(Stdio::null())
-            .stdout(File::create(&shown).map_err(said)?)
-            .stderr(File::create(&logged).map_err(said)?)
+            .stdout(File::create(shown).map_err(said)?)
+            .stderr(File::create(logged).map_err(said)?)
             .spawn()
-            .map_err(said)?;
+            .map_err(said)
+    }
+
+    /// The page in a browser that is told what to do.
+    fn told(&self) -> Result<Page, String> {
+        const PROFILE: &str = "told";
+        Page::of(self.started(PROFILE, &["--remote-debugging-port=0", "about:blank"])?, &self.place.join(PROFILE))
+    }
+
+    /// Opens a file and returns what the browser writes on its two channels.
+    fn open(&self, arguments: &[&str], file: &Path) -> Result<(String, String), String> {
+        let address = format!("file://{}", file.display());
+        let mut child = self.started("profile", &[arguments, &[&address]].concat())?;
+        let [shown, logged] = CHANNELS.map(|name| self.place.join(name));
         let begun = Instant::now();
         let status = loop {
             if let Some(status) = child.try_wait().map_err(said)? {

@@ -5,7 +5,9 @@
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a command that talks to a person")]
 
 mod browser;
+mod devtools;
 mod doctor;
+mod touch;
 
 use std::process::{Command, ExitCode};
 

@@ -1,6 +1,7 @@
 //! The gallery: the exact solution of every scene file as a card, and all of them on one sheet.
 
 use palkki::plot::{Curves, sheet};
+use palkki::text::markdown_text;
 use palkki::theory::Exact;
 use palkki::verdict::{Demand, Verdict};
 
@@ -17,7 +18,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         let forces = [state.reactions.left, state.reactions.right, state.contact_force()];
         let [left, right, contact] = forces.map(|value| value_of(value, force, 5));
         let unit = scene.units().force.as_ref().map_or_else(String::new, |unit| format!(", {unit}"));
-        let link = format!("[{}](#{name}){unit}", scene.title());
+        let link = format!("[{}](#{name}){unit}", markdown_text(scene.title()));
         row![link, state.regime.name(), exact.unknowns, left, right, contact, within]
     }));
     let soft = shown(study, scenes::SOFT, "soft")?;
@@ -73,7 +74,7 @@ pub(super) fn shown(study: &Study<'_>, directory: &str, prefix: &str) -> Result<
         Ok(Shown {
             within: within.unwrap_or_else(|| "–".to_owned()),
             certified,
-            card: context! { name => name.as_str(), title => scene.title(), story, certified, formula },
+            card: context! { name => name.as_str(), title => markdown_text(scene.title()), story, certified, formula },
             figure: (format!("{prefix}-{name}"), svg, table(&curves)),
             curves,
             exact,

@@ -8,7 +8,7 @@ use super::prelude::*;
 use crate::report::files;
 
 /// The tables of the page in their order: a line with a key of the table in the place of `{}`, and one with an example.
-const TABLES: [[&str; 2]; 10] = [
+const TABLES: [[&str; 2]; 11] = [
     ["{}", "{}"],
     ["units = { {} }", "{}"],
     ["beam.{}", "beam.{}"],
@@ -18,6 +18,7 @@ const TABLES: [[&str; 2]; 10] = [
     ["load.point = [{ {} }]", "load.{}"],
     ["foundation.{}", "foundation.{}"],
     ["foundation.cosine = { {} }", "foundation.{}"],
+    ["foundation.survey = { {} }", "foundation.{}"],
     ["body.{}", "body.{}"],
 ];
 
@@ -92,7 +93,7 @@ fn read(text: &str) -> Result<(), Cause> {
     model.map(drop).map_err(|error| format!("{}\n{text}", error.render(false)).into())
 }
 
-/// The files that examples name: a survey of two points, and one number in every other.
+/// The files that examples name: surveys of two points, and one number in every other.
 struct Files;
 
 impl Beside for Files {
@@ -100,6 +101,7 @@ impl Beside for Files {
         Ok(match path {
             "gap.csv" => "i,gap\n1,1\n",
             "load.csv" => "i,force\n1,1\n",
+            "stations.csv" => "Chainage,Level\n1920,101\n1930,101\n",
             _ => "x,depth\n0,1\n10,1\n",
         }
         .to_owned())

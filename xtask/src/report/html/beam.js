@@ -1,11 +1,11 @@
 // A beam above ground of straight lines: at each node the three-moment equation and equilibrium, and an active set that finds the
-// contacts. The answer without a grid has ever finer nodes where the beam begins and ceases to touch.
+// contacts. The refined answer has ever finer nodes where the beam begins and ceases to touch.
 
 /// More than the rounding of a solve is a pull, as a part of the load, and a place in the ground, as a part of the length.
 const [PULL, DEEP] = [1e-9, 1e-12];
 /// Springs, in loads per length: ground, supports and hinges are stiff; a soft one at a free end carries a beam that touches too little.
 const [STIFF, SOFT] = [1e12, 1e-6];
-/// Intervals that the answer without a grid begins with, and how often those beside a lift-off are halved.
+/// Intervals that the refined answer begins with, and how often those beside a lift-off are halved.
 const [FIRST, HALVINGS] = [80, 8];
 /// Nodes that were eliminated so far: the work of a frame, on any machine.
 let eliminated = 0;
@@ -133,7 +133,7 @@ const equilibrium = (nodes, begun) => {
   return described({ ...nodes, ...beam, touches });
 };
 
-/// The answer without a grid.
+/// The refined answer.
 const solveBeam = (scene) => {
   const { length, uniform, point, ground, stiffness } = scene;
   const corners = [...ground.map(([x]) => x), point.at];

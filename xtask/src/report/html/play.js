@@ -112,11 +112,12 @@ handles.addEventListener("pointermove", (event) => {
   move(i, along, scene.ground[i] ? (y - TOP) / DEPTH : (30 - y) / 4);
 });
 
-/// What the controls say, into the scene.
-const controls = (stiffness) => {
-  scene.ends = [form.left.value, form.right.value];
-  scene.stiffness = stiffness ?? Number((10 ** Number(form.stiffness.value)).toPrecision(3));
-  scene.uniform = Number(form.uniform.value);
+/// What a control says, into the scene. One that was not moved is not read: a slider has steps, and what a scene begins with may lie
+/// between them.
+const controls = (moved) => {
+  if (moved === form.left || moved === form.right) scene.ends = [form.left.value, form.right.value];
+  if (moved === form.stiffness) scene.stiffness = Number((10 ** Number(form.stiffness.value)).toPrecision(3));
+  if (moved === form.uniform) scene.uniform = Number(form.uniform.value);
   scene.ground.forEach(([x, depth], i) => move(i, x, depth));
   Object.entries({ stiffness: scene.stiffness, uniform: scene.uniform, intervals: form.intervals.value }).forEach(([name, value]) => {
     form[name].ariaValueText = Number(value).toPrecision(3);
@@ -128,9 +129,9 @@ const begin = () => {
   [form.left.value, form.right.value] = scene.ends;
   form.stiffness.value = Math.log10(scene.stiffness);
   form.uniform.value = scene.uniform;
-  controls(scene.stiffness);
+  controls();
 };
-form.addEventListener("input", ({ target }) => (target.name === "start" ? begin() : controls()));
+form.addEventListener("input", ({ target }) => (target.name === "start" ? begin() : controls(target)));
 form.copy.addEventListener("click", () => {
   section.querySelector(".copied").hidden = false;
   form.elements.text.value = sceneText(scene);

@@ -185,6 +185,20 @@ if (location.hash === "#selftest") {
       expect(section.querySelector("table").outerHTML + drawing.innerHTML + form.intervals.getAttribute("aria-valuetext") !== before, `${name} changes the picture`);
       expect(root.scrollWidth <= innerWidth, `the page is too wide after ${name}`);
     }
+    // A control that is not moved changes no value: the paper's EI is on no step of its slider.
+    for (const i of [...form.start.options].keys()) {
+      for (const moved of [form.left, form.right, form.stiffness, form.uniform, form.grid, form.intervals]) {
+        start(i);
+        const given = { ...scene };
+        moved.dispatchEvent(new Event("input", { bubbles: true }));
+        frame();
+        const others = ["stiffness", "uniform"].filter((name) => form[name] !== moved && scene[name] !== given[name]);
+        expect(others.length === 0, `${moved.name} of start ${i} changes ${others}`);
+      }
+    }
+    start(1);
+    form.grid.dispatchEvent(new Event("input", { bubbles: true }));
+    near(frame().reactions[0], 1.182177, 1e-3, "the left reaction of the paper's example after a control was touched");
     // By hand: the load to the middle of the beam.
     start(0);
     const box = svg.getBoundingClientRect();

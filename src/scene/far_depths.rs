@@ -1,0 +1,88 @@
+//! Depths that are far from all others: mostly a mark for missing data, such as -9999, that was read as a depth.
+
+use std::fmt;
+
+use super::error::shown;
+use super::{Foundation, Profile};
+use crate::text::Results;
+
+/// A depth is far where its distance from the median is more than this many times the range of those nearer to it. Grounds of any
+/// roughness are below: of depths that double from one to the next, none is twice as far as the range.
+const FAR: f64 = 1000.0;
+
+/// Depths that differ by less than this share of their size are one depth: no survey is known better. Their range would say nothing,
+/// and their size stands for it.
+const ONE_DEPTH: f64 = 1e-6;
+
+/// Fewer depths have no others to be compared with.
+const LEAST: usize = 3;
+
+/// Depths that are far from all others.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FarDepths {
+    /// Of which profile.
+    pub of: Profile,
+    /// How many.
+    pub count: usize,
+    /// Place and depth of the first of them \[length\].
+    pub first: [f64; 2],
+    /// The least and the greatest of the others \[length\].
+    pub others: [f64; 2],
+}
+
+impl FarDepths {
+    /// The depths of a profile that are far from all others; of a polyline alone, as a formula has no missing data.
+    pub(super) fn of(of: Profile, profile: &Foundation) -> Option<Self> {
+        let Foundation::Polyline { points } = profile else { return None };
+        if points.len() < LEAST {
+            return None;
+        }
+        let half = points.len() / 2;
+        let mut depths: Vec<f64> = points.iter().map(|point| point[1]).collect();
+        let median = *depths.select_nth_unstable_by(half, f64::total_cmp).1;
+        let nearer = |a: &f64, b: &f64| (a - median).abs().total_cmp(&(b - median).abs());
+        // The nearer half first; of most grounds this is all that is looked at.
+        depths.select_nth_unstable_by(half, nearer);
+        let mut range = depths[..=half].iter().fold([median; 2], |range, depth| wider(range, *depth));
+        let far = |range: [f64; 2], depth: f64| FAR * size(range) < (depth - median).abs() && 0.0 < size(range);
+        if !depths[half..].iter().any(|depth| far(range, *depth)) {
+            return None;
+        }
+        depths[half..].sort_unstable_by(nearer);
+        let first = depths[half..].iter().position(|&depth| {
+            let is_far = far(range, depth);
+            range = if is_far { range } else { wider(range, depth) };
+            is_far
+        })?;
+        let count = depths.len() - half - first;
+        let outside = |point: &&[f64; 2]| point[1] < range[0] || range[1] < point[1];
+        points.iter().find(outside).map(|&first| Self { of, count, first, others: range })
+    }
+}
+
+/// The range with one more depth.
+fn wider([least, most]: [f64; 2], depth: f64) -> [f64; 2] {
+    [least.min(depth), most.max(depth)]
+}
+
+/// What depths of this range may differ by.
+fn size([least, most]: [f64; 2]) -> f64 {
+    let magnitude = least.abs().max(most.abs());
+    if ONE_DEPTH * magnitude < most - least { most - least } else { magnitude }
+}
+
+impl fmt::Display for FarDepths {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { of, count, first: [x, depth], others } = *self;
+        let [least, most] = others.map(|depth| Results::default().number(depth));
+        let (of, x, depth) = (of.path(), shown(x), shown(depth));
+        match count {
+            1 => write!(f, "the depth {depth} of `{of}` at x = {x} is far from all other depths")?,
+            _ => write!(
+                f,
+                "{count} depths of `{of}` are far from all other depths, the first of them {depth} at x = {x}"
+            )?,
+        }
+        write!(f, ": more than 1,000 times their range ({least} to {most}). If it marks missing data, remove it")
+    }
+}

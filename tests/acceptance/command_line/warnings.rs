@@ -1,0 +1,63 @@
+//! A depth that is no depth is named in the output; the grounds of the report have none.
+
+use super::Folder;
+use crate::scenes;
+
+/// Grounds of many roughnesses, and how far off a mark for missing data is put into them.
+#[test]
+fn a_depth_far_from_all_others_is_named() {
+    let folder = Folder::new("far_depths");
+    let grounds: [fn(u32) -> f64; 6] = [
+        |_| 1.0,
+        |i| 1.0 + 0.1 * f64::from(i % 3),
+        |i| 85.0 + 0.01 * f64::from(i * i % 7),
+        |i| if i == 5 { 3.0 } else { 1.0 },
+        |i| if i < 4 { 0.5 } else { 2.0 },
+        |i| f64::from(1_u32 << (i % 11)),
+    ];
+    for (k, ground) in grounds.into_iter().enumerate() {
+        for marks in [&[][..], &[4], &[2, 7], &[0, 1, 9]] {
+            for mark in [9999.0, 999_999.0] {
+                let depth = |i: u32| if marks.contains(&i) { mark * if k == 5 { 1e3 } else { 1.0 } } else { ground(i) };
+                let points: Vec<String> = (0..=10).map(|i| format!("[{i}, {}]", depth(i))).collect();
+                let beam = "[beam]\nlength = 10\nbending_stiffness = 1\n[load]\nuniform = 1\n";
+                let scene = format!("{beam}[foundation]\npoints = [{}]\n", points.join(", "));
+                folder.write("scene.toml", scene);
+                let (_, _, json) = folder.json("solve scene.toml");
+                let warnings = json.get("warnings").and_then(|list| list.as_array()).cloned().unwrap_or_default();
+                let (text, explained) = (folder.run("solve scene.toml").out, folder.run("explain scene.toml").out);
+                let markdown = folder.run("explain scene.toml --format markdown").out;
+                let Some(first) = marks.first() else {
+                    assert!(warnings.is_empty() && !text.contains("Warning"), "{k}: {warnings:?}");
+                    continue;
+                };
+                let [warning] = &warnings[..] else { panic!("{k} {marks:?} {mark}: {warnings:?}") };
+                let warning = warning.as_str().expect("a text");
+                assert!(warning.contains(&format!("at x = {first}")), "{warning}");
+                assert!(marks.len() == 1 || warning.starts_with(&format!("{} depths", marks.len())), "{warning}");
+                for text in [text, explained, markdown.replace('\\', "")] {
+                    assert!(text.contains(&format!("Warning: {warning}.")), "{text}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn no_ground_of_the_report_has_a_depth_far_from_all_others() {
+    for (name, scene) in scenes::report() {
+        assert_eq!(scene.far_depths(), [], "{name}");
+    }
+}
+
+/// On the old reader this message did not say in which direction depth counts.
+#[test]
+fn a_wrong_header_is_told_that_depth_counts_downwards() {
+    let folder = Folder::new("wrong_headers");
+    folder.write("surveyed.toml", super::SURVEYED);
+    for header in ["x,level", "Chainage,Level", "x,z", "station,elevation", "x,height", "0,1", "depth,x"] {
+        folder.write("levels.csv", format!("{header}\n0,1\n10,1\n"));
+        let message = folder.refused("solve surveyed.toml");
+        assert!(message.contains("depth counts downwards"), "{message}");
+    }
+}
