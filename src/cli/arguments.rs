@@ -75,7 +75,8 @@ const EXPORT_EXAMPLES: &str = "\
 Examples:
   palkki export report/scenes/ridge.toml --method force --intervals 30 --to ridge
   palkki certify ridge/body.toml answer.csv
-  palkki export scene.toml --method displacement -n 300 --to scene --form sparse";
+  palkki export scene.toml --method displacement -n 300 --to scene --form sparse
+  palkki export scene.toml --method force -n 300 --to scene --form qps";
 
 const COMPLETIONS_EXAMPLE: &str = "\
 Examples:

@@ -22,6 +22,7 @@ pub mod draft;
 pub mod exchanges;
 pub mod extremes;
 pub mod faults;
+pub mod few;
 pub mod hostile;
 pub mod libraries;
 pub mod numdiff;
