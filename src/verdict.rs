@@ -98,11 +98,17 @@ impl Status {
         }
     }
 
-    /// Of an answer for a [body](crate::body), which has no discretisation error: from the largest error of its clearances as a share
-    /// of the largest of them, and what was demanded.
+    /// Of an answer for a [body](crate::body), which has no discretisation error: from the largest errors of its clearances, contact
+    /// forces and energy, each as a share of the largest of its kind, and what was demanded.
     #[must_use]
-    pub fn of_body(error: f64, demanded: f64, reports_success: bool) -> Self {
-        Self::of(within(error, demanded.min(EXACT)), reports_success)
+    pub fn of_body(errors: [f64; 3], demanded: f64, reports_success: bool) -> Self {
+        Self::of(errors.iter().all(|error| Self::is_certain(*error, demanded)), reports_success)
+    }
+
+    /// Whether one of these errors is as small as it has to be.
+    #[must_use]
+    pub fn is_certain(error: f64, demanded: f64) -> bool {
+        within(error, demanded.min(EXACT))
     }
 
     /// The word that JSON and report use.

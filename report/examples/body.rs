@@ -17,7 +17,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let [clearances, forces] = body.clearance_and_force(&answer);
     let proof = prove(&body, clearances.iter().map(|clearance| 0.0 < *clearance))?;
     println!("clearances {clearances:.4?}, contact forces {forces:.4?}");
-    println!("off by at most {:.1e}", proof.off(clearances).most);
+    println!("off by at most {:.1e}", proof.off(&clearances).most);
     println!("an answer that says it touches nowhere: off by at least {:.3}", proof.off(&[0.5; 5]).least);
     Ok(())
 }

@@ -2,7 +2,11 @@
 //!
 //! `coordinate` or `array`, `real` (or `integer`, `double`), `symmetric` or `general`. A general matrix has to be symmetric up to rounding;
 //! it stands for the mean of its two triangles (Boisvert, Pozo and Remington 1996).
+//!
+//! Without its banner a file has rows of `row column value`, as CalculiX writes `.sti`, or of `node, freedom, node, freedom, value`, as Abaqus
+//! does for `*MATRIX OUTPUT`. It is one triangle unless some entry is there from both sides. Freedoms are numbered by node, then by freedom.
 
+use std::collections::BTreeMap;
 use std::ops::Range;
 use std::str::FromStr;
 
@@ -17,6 +21,12 @@ pub const MOST_NUMBERS: usize = 1 << 24;
 
 /// What two entries may be apart that should be the same, as a share of `√(a_ii a_jj)`: programs print some ten digits.
 const SYMMETRIC: f64 = 1e-10;
+
+/// More rows than any memory holds, and few enough for their numbers to be counted in 64 bits.
+const MOST_ROWS: usize = u32::MAX as usize;
+
+/// What a line begins with that says nothing: comments of Matrix Market, of tables and of Abaqus, and keywords of the latter.
+const COMMENTS: [char; 3] = ['%', '#', '*'];
 
 /// What is wrong with a matrix, and where.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,21 +53,40 @@ struct Entry {
     value: f64,
 }
 
+/// How a file is laid out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Form {
+    /// With a banner and a size: places with values, or values alone by columns; one triangle, or both.
+    Market { coordinate: bool, symmetric: bool },
+    /// Row, column and value in each line.
+    Columns,
+    /// Node, freedom, node, freedom and value in each line.
+    Labels,
+}
+
 /// A matrix as far as it has been read.
 #[derive(Debug, Default)]
 pub struct Reader {
+    sums_duplicates: bool,
     line: usize,
-    /// Whether places are given, and whether one triangle is.
-    form: Option<[bool; 2]>,
-    /// Rows, and entries that the file must have.
+    form: Option<Form>,
+    /// Rows, and entries that a file with a size must have.
     size: Option<[usize; 2]>,
     count: usize,
     /// Place of the next entry of an array.
     next: [usize; 2],
     entries: Vec<Entry>,
+    /// Of node and freedom which row it is, in the order in which they are met.
+    labels: BTreeMap<[i64; 2], usize>,
 }
 
 impl Reader {
+    /// One that adds the entries of a place up, or refuses a second one.
+    #[must_use]
+    pub fn new(sums_duplicates: bool) -> Self {
+        Self { sums_duplicates, ..Self::default() }
+    }
+
     /// One more line, without its end.
     ///
     /// # Errors
@@ -70,13 +99,40 @@ impl Reader {
     }
 
     fn read(&mut self, text: &str) -> Result<(), Mark> {
-        let Some([coordinate, symmetric]) = self.form else {
+        let is_banner = text.starts_with('%') && text.to_lowercase().contains("matrixmarket");
+        if self.form.is_none() && is_banner {
             self.form = Some(header(text)?);
             return Ok(());
-        };
-        if text.is_empty() || text.starts_with('%') {
+        }
+        if text.trim_start().is_empty() || text.starts_with(COMMENTS) {
             return Ok(());
         }
+        let form = match self.form {
+            Some(form) => form,
+            None => *self.form.insert(form_of(text)?),
+        };
+        match form {
+            Form::Market { coordinate, symmetric } => self.market(text, coordinate, symmetric),
+            Form::Columns => {
+                let [i, j, value] = fields(text, "three numbers: row, column and value")?;
+                let place = [row("row", i)?, row("column", j)?];
+                self.push(place, finite(value)?).map_err(|problem| (0..text.len(), problem))
+            }
+            Form::Labels => {
+                let [node, freedom, other, its, value] =
+                    fields(text, "five numbers: node, freedom, node, freedom and value")?;
+                let place = [[label("node", node)?, label("freedom", freedom)?], [label("node", other)?, label("freedom", its)?]];
+                let place = place.map(|label| {
+                    let next = self.labels.len();
+                    *self.labels.entry(label).or_insert(next)
+                });
+                self.push(place, finite(value)?).map_err(|problem| (0..text.len(), problem))
+            }
+        }
+    }
+
+    /// One more line below a banner.
+    fn market(&mut self, text: &str, coordinate: bool, symmetric: bool) -> Result<(), Mark> {
         let Some([n, expected]) = self.size else {
             self.size = Some(size(text, coordinate, symmetric)?);
             return Ok(());
@@ -91,17 +147,24 @@ impl Reader {
             let [value] = fields(text, "one number")?;
             ([i, j], value)
         };
-        let value = number("value", value, |value: &f64| value.is_finite(), || "a finite number".to_owned())?;
-        self.count += 1;
-        if expected < self.count {
-            let problem = BodyProblem::Entries { expected: expected.to_string(), found: self.count };
+        let value = finite(value)?;
+        if expected <= self.count {
+            let problem = BodyProblem::Entries { expected: expected.to_string(), found: self.count + 1 };
             return Err((0..text.len(), problem));
         }
         // Coordinates are kept, zero or not, to find those that are there twice.
         if coordinate || value != 0.0 {
-            self.entries.push(Entry { place: [i.max(j), i.min(j)], above: i < j, line: self.line, value });
+            return self.push([i, j], value).map_err(|problem| (0..text.len(), problem));
         }
+        self.count += 1;
         Ok(())
+    }
+
+    fn push(&mut self, [i, j]: [usize; 2], value: f64) -> Result<(), BodyProblem> {
+        self.count += 1;
+        self.entries.push(Entry { place: [i.max(j), i.min(j)], above: i < j, line: self.line, value });
+        // With a size that has been asked before.
+        if self.size.is_none() { affordable(self.count / 2) } else { Ok(()) }
     }
 
     /// The matrix, when there are no more lines; it need not be positive definite.
@@ -112,42 +175,110 @@ impl Reader {
     pub fn end(mut self) -> Result<Profile, Wrong> {
         let last = self.line.max(1);
         let at_end = |problem| Wrong { line: last, text: String::new(), marked: 0..0, problem };
-        let Some([_, symmetric]) = self.form else {
-            return Err(at_end(BodyProblem::Header { found: Found::of("") }));
+        let symmetric = match self.form {
+            None => return Err(at_end(BodyProblem::Header { found: Found::of("") })),
+            Some(Form::Market { symmetric, .. }) => symmetric,
+            Some(form) => {
+                if form == Form::Columns {
+                    self.without_size();
+                }
+                self.in_order_of_labels();
+                let rows = self.entries.iter().map(|entry| entry.place[0] + 1).max().unwrap_or(0);
+                self.size = Some([rows, 0]);
+                false
+            }
         };
         let [n, expected] = self.size.unwrap_or([0, usize::MAX]);
+        // A row without any entry has none on the diagonal, and would cost memory.
+        if self.entries.len() < n && !matches!(self.form, Some(Form::Market { .. })) {
+            return Err(at_end(BodyProblem::Entries { expected: format!("at least {n}"), found: self.entries.len() }));
+        }
         if self.count < expected {
             let expected = self.size.map_or_else(|| "a size, and".to_owned(), |[_, expected]| expected.to_string());
             return Err(at_end(BodyProblem::Entries { expected, found: self.count }));
         }
-        // The entries of a place beside each other, in the order of the file.
-        self.entries.sort_unstable_by_key(|entry| (entry.place, entry.line));
-        let (mut roots, mut first) = (vec![0.0; n], (0..n).collect::<Vec<_>>());
-        for Entry { place: [i, j], value, .. } in &self.entries {
-            first[*i] = first[*i].min(*j);
-            if i == j {
-                roots[*i] = value.abs().sqrt();
-            }
+        // The entries of a place beside each other, first those below the diagonal, in the order of the file.
+        self.entries.sort_unstable_by_key(|entry| (entry.place, entry.above, entry.line));
+        let mut entries = self.entries;
+        if self.sums_duplicates {
+            entries = summed(&entries);
         }
-        let mut lower = Vec::with_capacity(self.entries.len());
-        for pair in self.entries.chunk_by(|a, b| a.place == b.place) {
-            let Entry { place: [i, j], value: here, .. } = pair[0];
-            let there = match pair {
-                [_] if symmetric || i == j => here,
-                [_] => 0.0,
-                [one, other] if !symmetric && one.above != other.above => other.value,
-                [one, .., again] => return Err(again.wrong(|i, j| BodyProblem::Twice { i, j, line: one.line })),
-                [] => continue,
-            };
-            if SYMMETRIC * roots[i] * roots[j] < (here - there).abs() {
-                return Err(pair[0].wrong(|i, j| BodyProblem::NotSymmetric { i, j, here, there }));
-            }
-            lower.push((i, j, here + 0.5 * (there - here)));
-        }
+        let symmetric = symmetric || !matches!(self.form, Some(Form::Market { .. })) && !has_both_triangles(&entries);
+        let lower = lower_triangle(&entries, n, symmetric)?;
+        let mut first: Vec<usize> = (0..n).collect();
+        lower.iter().for_each(|(i, j, _)| first[*i] = first[*i].min(*j));
         let numbers = first.iter().enumerate().map(|(i, first)| i + 1 - first).sum();
         affordable(numbers).map_err(at_end)?;
         Ok(Profile::of_entries(n, lower.into_iter()))
     }
+
+    /// Leaves the size out that a file without banner may begin with: two equal numbers and that of the lines that follow, among which the
+    /// last entry of the diagonal comes again.
+    fn without_size(&mut self) {
+        if let Some((first, rest)) = self.entries.split_first() {
+            #[expect(clippy::cast_precision_loss, reason = "a count of lines")]
+            let is_size = first.place[0] == first.place[1] && first.value == rest.len() as f64;
+            let last = rest.iter().map(|entry| entry.place).max();
+            if is_size && last == Some(first.place) {
+                self.entries.remove(0);
+            }
+        }
+    }
+
+    /// Numbers rows in the order of their nodes and freedoms, where these are given.
+    fn in_order_of_labels(&mut self) {
+        if self.labels.is_empty() {
+            return;
+        }
+        let mut rows = vec![0; self.labels.len()];
+        self.labels.values().enumerate().for_each(|(row, met)| rows[*met] = row);
+        for entry in &mut self.entries {
+            let [i, j] = entry.place.map(|met| rows[met]);
+            let above = if entry.above { j < i } else { i < j };
+            (entry.place, entry.above) = ([i.max(j), i.min(j)], above && i != j);
+        }
+    }
+}
+
+/// The entries of each place and triangle as one.
+fn summed(entries: &[Entry]) -> Vec<Entry> {
+    let same = |a: &Entry, b: &Entry| (a.place, a.above) == (b.place, b.above);
+    let sum = |group: &[Entry]| Entry { value: group.iter().map(|entry| entry.value).sum(), ..group[0] };
+    entries.chunk_by(same).map(sum).collect()
+}
+
+/// Whether some place off the diagonal is given from both sides.
+fn has_both_triangles(entries: &[Entry]) -> bool {
+    entries.windows(2).any(|pair| pair[0].place == pair[1].place && pair[0].above != pair[1].above)
+}
+
+/// One entry of each place on or below the diagonal.
+fn lower_triangle(entries: &[Entry], n: usize, symmetric: bool) -> Result<Vec<(usize, usize, f64)>, Wrong> {
+    let mut roots = vec![0.0; n];
+    for Entry { place: [i, j], value, .. } in entries {
+        if i == j {
+            roots[*i] = value.abs().sqrt();
+        }
+    }
+    let mut lower = Vec::with_capacity(entries.len());
+    for pair in entries.chunk_by(|a, b| a.place == b.place) {
+        let Entry { place: [i, j], value: here, .. } = pair[0];
+        let there = match pair {
+            [_] if symmetric || i == j => here,
+            [_] => 0.0,
+            [one, other] if !symmetric && one.above != other.above => other.value,
+            [one, .., again] => {
+                let (early, late) = if one.line < again.line { (one, again) } else { (again, one) };
+                return Err(late.wrong(|i, j| BodyProblem::Twice { i, j, line: early.line }));
+            }
+            [] => continue,
+        };
+        if SYMMETRIC * roots[i] * roots[j] < (here - there).abs() {
+            return Err(pair[0].wrong(|i, j| BodyProblem::NotSymmetric { i, j, here, there }));
+        }
+        lower.push((i, j, here + 0.5 * (there - here)));
+    }
+    Ok(lower)
 }
 
 impl Entry {
@@ -166,21 +297,29 @@ fn affordable(numbers: usize) -> Result<(), BodyProblem> {
     if fits { Ok(()) } else { Err(BodyProblem::TooLarge { numbers, most: MOST_NUMBERS }) }
 }
 
-fn header(text: &str) -> Result<[bool; 2], Mark> {
+fn header(text: &str) -> Result<Form, Mark> {
     let words = text.to_lowercase();
     match words.split_whitespace().collect::<Vec<_>>()[..] {
         ["%%matrixmarket", "matrix", form, "real" | "integer" | "double", kind]
             if ["coordinate", "array"].contains(&form) && ["symmetric", "general"].contains(&kind) =>
         {
-            Ok([form == "coordinate", kind == "symmetric"])
+            Ok(Form::Market { coordinate: form == "coordinate", symmetric: kind == "symmetric" })
         }
         _ => Err((0..text.len(), BodyProblem::Header { found: Found::of(text) })),
     }
 }
 
+/// The layout of a file without banner, by its first line.
+fn form_of(text: &str) -> Result<Form, Mark> {
+    let is_number = |field: &str| real(field).is_some();
+    match pieces(text).map(|(field, _)| is_number(field)).collect::<Vec<_>>()[..] {
+        [true, true, true] => Ok(Form::Columns),
+        [true, true, true, true, true] => Ok(Form::Labels),
+        _ => Err((0..text.len(), BodyProblem::Header { found: Found::of(text) })),
+    }
+}
+
 fn size(text: &str, coordinate: bool, symmetric: bool) -> Result<[usize; 2], Mark> {
-    /// More rows than any memory holds, and few enough for their numbers to be counted in 64 bits.
-    const MOST: usize = u32::MAX as usize;
     let whole_line = |problem| Err((0..text.len(), problem));
     let (rows, columns, entries) = if coordinate {
         let [n, m, entries] = fields(text, "three numbers: rows, columns and entries")?;
@@ -189,7 +328,7 @@ fn size(text: &str, coordinate: bool, symmetric: bool) -> Result<[usize; 2], Mar
         let [n, m] = fields(text, "two numbers: rows and columns")?;
         (n, m, None)
     };
-    let (rows, columns) = (whole("rows", rows, 1, MOST)?, whole("columns", columns, 1, MOST)?);
+    let (rows, columns) = (whole("rows", rows, 1, MOST_ROWS)?, whole("columns", columns, 1, MOST_ROWS)?);
     let of_array = if symmetric { rows.saturating_mul(rows + 1) / 2 } else { rows.saturating_mul(rows) };
     let entries = entries.unwrap_or(of_array);
     if rows != columns {
@@ -205,13 +344,41 @@ fn size(text: &str, coordinate: bool, symmetric: bool) -> Result<[usize; 2], Mar
 /// A field with its place in the line.
 type Field<'a> = (&'a str, Range<usize>);
 
-fn fields<'a, const N: usize>(text: &'a str, expected: &'static str) -> Result<[Field<'a>; N], Mark> {
-    let place = |field: &'a str| {
+/// The fields of a line, parted by blanks or commas.
+fn pieces(text: &str) -> impl Iterator<Item = Field<'_>> {
+    let fields = text.split(|c: char| c.is_ascii_whitespace() || c == ',').filter(|field| !field.is_empty());
+    fields.map(|field| {
         let start = field.as_ptr() as usize - text.as_ptr() as usize;
         (field, start..start + field.len())
-    };
-    let found: Vec<_> = text.split_ascii_whitespace().map(place).collect();
+    })
+}
+
+fn fields<'a, const N: usize>(text: &'a str, expected: &'static str) -> Result<[Field<'a>; N], Mark> {
+    let found: Vec<_> = pieces(text).collect();
     found.try_into().map_err(|found: Vec<_>| (0..text.len(), BodyProblem::Fields { expected, found: found.len() }))
+}
+
+/// A number as programs write it: Fortran has exponents `D` for twice the precision.
+fn real(text: &str) -> Option<f64> {
+    text.parse().or_else(|_| text.replace(['D', 'd'], "e").parse()).ok()
+}
+
+fn finite((field, place): Field<'_>) -> Result<f64, Mark> {
+    let wrong = || {
+        let expected = "a finite number".to_owned();
+        (place, BodyProblem::Number { quantity: "value", expected, found: Found::of(field) })
+    };
+    real(field).filter(|value| value.is_finite()).ok_or_else(wrong)
+}
+
+/// A row or a column of a file without a size.
+fn row(quantity: &'static str, field: Field<'_>) -> Result<usize, Mark> {
+    Ok(whole(quantity, field, 1, MOST_ROWS)? - 1)
+}
+
+/// The name of a node or of one of its freedoms; programs give negative ones to nodes of their own.
+fn label(quantity: &'static str, field: Field<'_>) -> Result<i64, Mark> {
+    number(quantity, field, |_| true, || "a whole number".to_owned())
 }
 
 fn whole(quantity: &'static str, field: Field<'_>, least: usize, most: usize) -> Result<usize, Mark> {

@@ -13,10 +13,12 @@
 pub mod matrix_market;
 mod problem;
 pub mod proof;
+mod reach;
 
 pub use problem::BodyProblem;
 
-use self::proof::{Off, Unproven};
+use self::proof::{Errors, Off, Unproven};
+use self::reach::{Reach, displaced_by};
 use crate::double::Double;
 use crate::qp::{Explicit, Profile, Qp as _, Sums};
 use crate::scene::Units;
@@ -42,6 +44,7 @@ pub struct Body {
     pub units: Units,
     kind: Kind,
     gap: Vec<f64>,
+    reach: Reach,
     load: Vec<f64>,
     program: Explicit,
 }
@@ -50,12 +53,12 @@ pub struct Body {
 const MOST_PRODUCTS: usize = 1 << 33;
 
 impl Body {
-    /// A body from its matrix, that of an elastic foundation, which goes with a flexibility, gaps and loads.
+    /// A body from its matrix, that of an elastic foundation, which goes with a flexibility, gaps and loads. An infinite gap has no ground.
     ///
     /// # Errors
     ///
     /// [`BodyProblem::Sizes`] if the matrices, gaps and loads are not of one size, [`BodyProblem::NotPositiveDefinite`] if a pivot is
-    /// not positive.
+    /// not positive, [`BodyProblem::Range`] if a product with gaps or loads is no number.
     pub fn new(
         kind: Kind,
         matrix: Profile,
@@ -72,19 +75,29 @@ impl Body {
         if let Some(&(what, found)) = others.iter().find(|(_, found)| *found != n) {
             return Err(BodyProblem::Sizes { what, body: n, found });
         }
-        let (given, taken) = match kind {
-            Kind::Stiffness => (&gap, &load),
-            Kind::Flexibility => (&load, &gap),
+        let times = |matrix: &Profile, values: &[f64]| {
+            let mut sums = Sums::zero(n);
+            matrix.times_into(&values.iter().copied().map(Double::exact).collect::<Vec<_>>(), &mut sums);
+            sums
         };
-        let mut linear = Sums::zero(n);
-        matrix.times_into(&given.iter().copied().map(Double::exact).collect::<Vec<_>>(), &mut linear);
-        taken.iter().enumerate().for_each(|(i, taken)| linear.add(i, -1.0, Double::exact(*taken)));
+        let displaced = (kind == Kind::Flexibility).then(|| times(&matrix, &load));
         let parts = match foundation {
             Some(foundation) => matrix.sum(foundation),
             None => [matrix, Profile::default()],
         };
-        let program = Explicit::of_sums(parts, linear)?;
-        Ok(Self { title: String::new(), units: Units::default(), kind, gap, load, program })
+        let program = Explicit::factored(parts)?;
+        let free = displaced_by(&program, &load, displaced.as_ref());
+        let reach = Reach::new(kind, &program, &gap, free);
+        let (mut linear, taken) = match displaced {
+            Some(displaced) => (displaced, &reach.gap),
+            None => (times(program.profile(), &reach.gap), &load),
+        };
+        taken.iter().enumerate().for_each(|(i, taken)| linear.add(i, -1.0, Double::exact(*taken)));
+        if !linear.values.iter().all(|b| b.rounded().is_finite()) {
+            return Err(BodyProblem::Range);
+        }
+        let program = program.with_linear(linear);
+        Ok(Self { title: String::new(), units: Units::default(), kind, gap, reach, load, program })
     }
 
     /// Which matrix was given.
@@ -113,7 +126,7 @@ impl Body {
     #[must_use]
     pub fn run(&self, solver: Solver, tolerance: f64) -> Answer {
         let n = self.program.dimension();
-        let products = self.program.profile().products().saturating_mul(n);
+        let products = self.program.factor().products().saturating_mul(n);
         let mut answer = match solver {
             Solver::ActiveSet => return active_set_of(&self.program),
             Solver::FourStep if MOST_PRODUCTS < products => Answer::refused(
@@ -126,29 +139,45 @@ impl Body {
         answer
     }
 
+    /// The distance of each freedom to the ground before it is loaded, infinite where there is none.
+    #[must_use]
+    pub fn gap(&self) -> &[f64] {
+        &self.gap
+    }
+
+    /// Whether the loads cannot bring a freedom to its ground, whatever it touches elsewhere.
+    fn is_out_of_reach(&self, i: usize) -> bool {
+        self.reach.gap[i] < self.gap[i]
+    }
+
     /// The clearance of each freedom to the ground by an answer, and the force of the ground on it.
     #[must_use]
-    pub fn clearance_and_force<'a>(&self, answer: &'a Answer) -> [&'a [f64]; 2] {
+    pub fn clearance_and_force(&self, answer: &Answer) -> [Vec<f64>; 2] {
+        let (clearance, force) = self.clearance_within_reach(answer);
+        let beyond = |(i, h): (usize, &f64)| {
+            let (gap, within) = (self.gap[i], self.reach.gap[i]);
+            if within < gap { gap - (within - h) } else { *h }
+        };
+        [clearance.iter().enumerate().map(beyond).collect(), force.to_vec()]
+    }
+
+    /// The same with ground out of reach where the program has it.
+    fn clearance_within_reach<'a>(&self, answer: &'a Answer) -> (&'a [f64], &'a [f64]) {
         match self.kind {
-            Kind::Stiffness => [&answer.x, &answer.gradient],
-            Kind::Flexibility => [&answer.gradient, &answer.x],
+            Kind::Stiffness => (&answer.x, &answer.gradient),
+            Kind::Flexibility => (&answer.gradient, &answer.x),
         }
     }
 
     /// Potential energy `½ vᵀ K v − qᵀ v` of the body by an answer, with that of an elastic foundation.
     #[must_use]
     pub fn energy(&self, answer: &Answer) -> f64 {
-        let b = self.program.linear();
-        let each = answer.x.iter().zip(answer.gradient.iter().zip(&b));
-        let bent: f64 = match self.kind {
-            Kind::Stiffness => each.map(|(x, (g, b))| x * (g - b)).sum(),
-            Kind::Flexibility => each.map(|(x, (g, b))| x * (g + b)).sum(),
-        };
-        0.5 * bent + proof::constant(self).0.rounded()
+        let x: Vec<Double> = answer.x.iter().copied().map(Double::exact).collect();
+        proof::energy(self, &x, &self.program.gradient_at(&x)).0.rounded()
     }
 }
 
-/// The verdict on clearances.
+/// The verdict on clearances, contact forces and energy.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verdict {
     /// Certified or not.
@@ -156,26 +185,35 @@ pub struct Verdict {
     /// How far they may be off, or why nothing is known of it.
     pub reason: String,
     /// How far they are off.
-    pub off: Off,
+    pub errors: Errors,
 }
 
 impl Verdict {
-    /// From how far they are off; `demanded` is a share of the largest of them.
+    /// From how far they are off; `demanded` is a share of the largest of each kind.
     #[must_use]
-    pub fn new(off: Result<Off, Unproven>, demanded: f64, reports_success: bool) -> Self {
-        let known = off.unwrap_or(Off { least: 0.0, most: f64::INFINITY, share: f64::INFINITY });
-        let status = Status::of_body(known.share, demanded, reports_success);
-        let share = share_at_most(known.share);
-        let reason = match off {
+    pub fn new(errors: Result<Errors, Unproven>, demanded: f64, reports_success: bool) -> Self {
+        let known = errors.unwrap_or(Errors::UNKNOWN);
+        let all = [("clearances", "are", known.clearance), ("contact forces", "are", known.force), ("energy", "is", known.energy)];
+        let status = Status::of_body(all.map(|(_, _, off)| off.share), demanded, reports_success);
+        let reason = match errors {
             Err(unproven) => unproven.to_string(),
-            Ok(Off { least, .. }) if !least.is_finite() => "the clearances are not all numbers".to_owned(),
-            Ok(_) if status == Status::Certified => format!("the clearances are certain to {share} of the largest"),
-            Ok(Off { least, most, .. }) => format!(
-                "the clearances are off by at least {} and at most {}, {share} of the largest",
-                magnitude_at_least(least),
-                magnitude_at_most(most),
-            ),
+            Ok(_) if all.iter().any(|(_, _, off)| !off.least.is_finite()) => {
+                "the clearances and contact forces are not all numbers".to_owned()
+            }
+            Ok(_) if status == Status::Certified => {
+                let [clearance, force, energy] = all.map(|(_, _, off)| share_at_most(off.share));
+                format!("clearances are certain to {clearance}, contact forces to {force}, energy to {energy} of the largest")
+            }
+            Ok(_) => {
+                let wrong = all.iter().filter(|(_, _, off)| !Status::is_certain(off.share, demanded));
+                let told = wrong.map(|(what, are, Off { least, most, share })| {
+                    let [least, most] = [magnitude_at_least(*least), magnitude_at_most(*most)];
+                    let share = share_at_most(*share);
+                    format!("the {what} {are} off by at least {least} and at most {most}, {share} of the largest")
+                });
+                told.collect::<Vec<_>>().join("; ")
+            }
         };
-        Self { status, reason, off: known }
+        Self { status, reason, errors: known }
     }
 }

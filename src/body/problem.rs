@@ -29,7 +29,8 @@ pub enum BodyProblem {
     },
     /// The first line of a matrix.
     #[error(
-        "a matrix must begin with `%%MatrixMarket matrix coordinate|array real symmetric|general`, but begins with {found}"
+        "a matrix must begin with `%%MatrixMarket matrix coordinate|array real symmetric|general`, or have `row column value` or \
+         `node, freedom, node, freedom, value` in each line, but begins with {found}"
     )]
     Header {
         /// What is there.
@@ -70,7 +71,7 @@ pub enum BodyProblem {
         found: usize,
     },
     /// A place for the second time.
-    #[error("the entry at {i} {j} is there twice, or its mirror image is: first in line {line}")]
+    #[error("the entry at {i} {j} is there twice, or its mirror image is: first in line {line}; entries that add up need `sum_duplicates = true` in [body]")]
     Twice {
         /// Row.
         i: usize,

@@ -16,9 +16,11 @@
 //! 2002, theorems 10.3 and 10.5; Rump 2006). `L Lᵀ` has no negative eigenvalue, and none of a symmetric matrix is larger than its
 //! largest row sum. A face is only a witness: from a wrong one bounds are wide, and never untrue.
 
+use super::reach;
 use super::{Body, Kind};
 use crate::double::Double;
 use crate::qp::{Explicit, NotPositiveDefinite, Sums};
+use crate::solvers::Answer;
 
 /// A proven point beside the optimum.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,19 +36,56 @@ pub struct Proof {
     pub gap: f64,
     /// `τ`.
     pub least_eigenvalue: f64,
-    /// The largest clearance; where there is none the largest displacement, and 1 where nothing moves.
-    pub size: f64,
+    /// What errors are measured by.
+    pub sizes: Sizes,
 }
 
-/// How far clearances are off.
+/// What errors of a body are measured by: the largest of each kind.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sizes {
+    /// The smaller one of the largest displacement and of the largest clearance that the loads could close. Where nothing moves, the
+    /// largest displacement without ground; without loads the largest clearance, and 1 where there is none.
+    pub clearance: f64,
+    /// The largest contact force; where there is none the largest load, and 1 without loads.
+    pub force: f64,
+    /// The energy; where that is zero, that of the body without ground, and 1 without loads.
+    pub energy: f64,
+}
+
+/// How far something is off.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Off {
     /// The largest error of one of them is at least this,
     pub least: f64,
     /// and at most this,
     pub most: f64,
-    /// which is such a share of their [size](Proof::size).
+    /// which is such a share of their [size](Proof::sizes).
     pub share: f64,
+}
+
+impl Off {
+    fn new([least, most]: [f64; 2], size: f64) -> Self {
+        Self { least, most, share: most / size }
+    }
+}
+
+/// How far an answer is off.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Errors {
+    /// Its clearances.
+    pub clearance: Off,
+    /// Its contact forces.
+    pub force: Off,
+    /// Its energy.
+    pub energy: Off,
+}
+
+impl Errors {
+    /// Where nothing is proven.
+    pub const UNKNOWN: Self = {
+        let unknown = Off { least: 0.0, most: f64::INFINITY, share: f64::INFINITY };
+        Self { clearance: unknown, force: unknown, energy: unknown }
+    };
 }
 
 /// Why nothing is proven.
@@ -65,6 +104,12 @@ pub enum Unproven {
     /// The numbers of the body are too large or too far apart.
     #[error("nothing could be proven: numbers on the way go beyond the range of 64-bit floating point")]
     Range,
+    /// A freedom that was taken to be out of reach of the ground may be pressed by it.
+    #[error("nothing could be proven: whether the loads bring freedom {} to its ground", freedom + 1)]
+    Reach {
+        /// Which freedom, from 0.
+        freedom: usize,
+    },
     /// Rounding destroyed a face.
     #[error("nothing could be proven: {0}")]
     Face(#[from] NotPositiveDefinite),
@@ -82,26 +127,19 @@ pub enum Brought {
 /// More than what some million roundings of sums of magnitudes leave.
 const UP: f64 = 1.0 + 1e-9;
 
-/// Steps of inverse iteration: the estimate needs one digit.
-const STEPS: usize = 12;
+/// Displacements, clearances, forces and energies below this share of what they are the difference of count as none: sixteen digits of
+/// the input leave as much.
+const NONE: f64 = 1e-12;
 
 /// Shares of the estimate that are tried for `σ`.
 const SHIFTS: [f64; 3] = [0.9, 0.5, 0.1];
 
 /// `τ`.
 fn least_eigenvalue(qp: &Explicit) -> Result<f64, Unproven> {
-    let a = qp.profile();
+    let all = qp.order();
+    let a = &qp.profile().part(all, 0.0);
     let n = a.dimension();
-    // Neither symmetric nor smooth, so that no eigenvector is missing in it.
-    let mut v: Vec<f64> = (0..n).map(|i| f64::from(u8::try_from(i * 7919 % 101).unwrap_or(0)) + 300.0).collect();
-    let norm = |v: &[f64]| v.iter().map(|v| v * v).sum::<f64>().sqrt();
-    let mut estimate = f64::INFINITY;
-    for _ in 0..STEPS {
-        let size = norm(&v);
-        v.iter_mut().for_each(|v| *v /= size);
-        qp.factor().solve(&mut v);
-        estimate = 1.0 / norm(&v);
-    }
+    let estimate = reach::least_eigenvalue(qp, &vec![1.0; n]);
     let most = |values: Vec<f64>| values.into_iter().fold(0.0, f64::max);
     let roots: Vec<f64> = a.diagonal().map(f64::sqrt).collect();
     let diagonal = most(a.diagonal().collect());
@@ -114,10 +152,9 @@ fn least_eigenvalue(qp: &Explicit) -> Result<f64, Unproven> {
     let tiny = most(a.row_sums(|_, _, _| 1.0)) * width * f64::MIN_POSITIVE * (1.0 + diagonal.sqrt());
     let rest = most(qp.rest().row_sums(|_, _, a| a.abs()));
     let lost = (factors + unit * diagonal + rest + tiny) * UP;
-    let all: Vec<usize> = (0..n).collect();
     let proven = SHIFTS.into_iter().map(|share| share * estimate).find_map(|shift| {
         let least = (shift - lost) * (1.0 - f64::EPSILON);
-        (0.0 < least && a.part(&all, shift).cholesky().is_ok()).then_some(least)
+        (0.0 < least && qp.profile().part(all, shift).cholesky().is_ok()).then_some(least)
     });
     proven.ok_or(Unproven::Eigenvalue { estimate, lost })
 }
@@ -135,10 +172,10 @@ fn inner(terms: impl Iterator<Item = (Double, Double, f64)>) -> (Double, f64) {
 }
 
 /// What the energy of a body has besides the objective of its program: `½ gᵀ(b − q)` of a stiffness, `−½ qᵀ(b + g)` of a flexibility.
-pub(super) fn constant(body: &Body) -> (Double, f64) {
+fn constant(body: &Body) -> (Double, f64) {
     let b = body.program.right();
     let half = |x: f64| Double::exact(0.5 * x);
-    let each = body.gap.iter().zip(&body.load).enumerate();
+    let each = body.reach.gap.iter().zip(&body.load).enumerate();
     match body.kind {
         Kind::Stiffness => {
             inner(each.map(|(i, (gap, load))| (half(*gap), b.values[i] - Double::exact(*load), b.off(i))))
@@ -147,6 +184,26 @@ pub(super) fn constant(body: &Body) -> (Double, f64) {
             inner(each.map(|(i, (gap, load))| (half(-load), b.values[i] + Double::exact(*gap), b.off(i))))
         }
     }
+}
+
+/// `½ Σ x_i (A x − b)_i + share x_i b_i` of a program, with what is rounded off it: its objective if the share is −½, `½ xᵀ A x` if it is ½.
+fn half_products(body: &Body, x: &[Double], gradient: &Sums, share: f64) -> (Double, f64) {
+    let b = body.program.right();
+    inner(x.iter().enumerate().flat_map(|(i, x)| {
+        [
+            (Double::exact(0.5) * *x, gradient.values[i], gradient.off(i)),
+            (Double::exact(share) * *x, b.values[i], b.off(i)),
+        ]
+    }))
+}
+
+/// The potential energy of a body whose program has these variables and this gradient, and what is rounded off it.
+pub(super) fn energy(body: &Body, x: &[Double], gradient: &Sums) -> (Double, f64) {
+    let share = if body.kind == Kind::Stiffness { -0.5 } else { 0.5 };
+    let (sum, sum_off) = half_products(body, x, gradient, share);
+    let (constant, constant_off) = constant(body);
+    let energy = constant + sum;
+    (energy, (sum_off + constant_off) * UP + f64::EPSILON * energy.rounded().abs())
 }
 
 /// Proves a point beside the optimum, from the free variables of any answer.
@@ -158,7 +215,7 @@ pub fn prove(body: &Body, free: impl Iterator<Item = bool>) -> Result<Proof, Unp
     let qp = &body.program;
     let least = least_eigenvalue(qp)?;
     let chosen: Vec<usize> = free.enumerate().filter(|(_, free)| *free).map(|(i, _)| i).collect();
-    let mut x = qp.solved(&chosen, &[])?;
+    let mut x = qp.solved(&chosen, &[], None)?;
     x.iter_mut().filter(|x| x.rounded() <= 0.0).for_each(|x| *x = Double::ZERO);
     let found = qp.gradient_at(&x);
     let offs: Vec<f64> = (0..x.len()).map(|i| found.off(i)).collect();
@@ -176,9 +233,7 @@ pub fn prove(body: &Body, free: impl Iterator<Item = bool>) -> Result<Proof, Unp
     let diagonal = qp.profile().diagonal().fold(0.0, f64::max);
     let off = offs.iter().copied().fold(0.0, f64::max);
     let gradient_error = ((diagonal * UP).sqrt() * rest / least.sqrt() + off) * UP;
-    let b = qp.right();
-    let each = (0..x.len()).map(|i| (Double::exact(0.5) * x[i], found.values[i] - b.values[i], offs[i] + b.off(i)));
-    let (objective, objective_off) = inner(each);
+    let (objective, objective_off) = half_products(body, &x, &found, -0.5);
     let (constant, constant_off) = constant(body);
     let gradient = found.values;
     let (energy, below, above, [clearance, force], [error, force_error]) = match body.kind {
@@ -191,58 +246,190 @@ pub fn prove(body: &Body, free: impl Iterator<Item = bool>) -> Result<Proof, Unp
     if !bounds.iter().all(|bound| bound.is_finite()) {
         return Err(Unproven::Range);
     }
+    // Where the ground is clear of the body the force there is zero, and the optimum is that of ground which is farther away.
+    let touching = (0..clearance.len()).find(|i| body.is_out_of_reach(*i) && clearance[*i].rounded() <= error * UP);
+    if let Some(freedom) = touching {
+        return Err(Unproven::Reach { freedom });
+    }
+    let sizes = sizes(body, [&clearance, &force], [error, force_error], energy);
+    Ok(Proof { clearance, error, force, force_error, energy, gap, least_eigenvalue: least, sizes })
+}
+
+/// See [`Sizes`].
+fn sizes(
+    body: &Body,
+    [clearance, force]: [&[Double]; 2],
+    [error, force_error]: [f64; 2],
+    [lower, upper]: [f64; 2],
+) -> Sizes {
     let most = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, |most: f64, value| most.max(value.abs()));
-    let clear = most(&mut clearance.iter().map(|h| h.rounded()));
-    let moved = most(&mut clearance.iter().zip(&body.gap).map(|(h, gap)| gap - h.rounded()));
-    let size = [clear, moved].into_iter().find(|size| error < *size).unwrap_or(1.0);
-    Ok(Proof { clearance, error, force, force_error, energy, gap, least_eigenvalue: least, size })
+    let counts = |value: f64, least: f64| Some(value).filter(|value| least < *value);
+    let near = clearance.iter().enumerate().filter(|(i, _)| !body.is_out_of_reach(*i));
+    let clear = most(&mut near.map(|(_, h)| h.rounded()));
+    let displacement: Vec<f64> =
+        clearance.iter().zip(&body.reach.gap).map(|(h, gap)| (Double::exact(*gap) - *h).rounded()).collect();
+    let moved = most(&mut displacement.iter().copied());
+    let closed = counts(moved, error).map(|moved| counts(clear, error.max(NONE * moved)).map_or(moved, |c| c.min(moved)));
+    let [free, load] = [&body.reach.free, &body.load].map(|values| most(&mut values.iter().copied()));
+    let pressed = most(&mut force.iter().map(|p| p.rounded()));
+    let work = |moved: &[f64]| moved.iter().zip(&body.load).map(|(v, q)| (v * q).abs()).sum::<f64>();
+    let energy = lower.abs().max(upper.abs());
+    let first = |sizes: [Option<f64>; 3]| sizes.into_iter().flatten().next().unwrap_or(1.0);
+    Sizes {
+        clearance: first([closed, counts(free, 0.0), counts(clear, error)]),
+        force: first([counts(pressed, force_error.max(NONE * load)), counts(load, 0.0), None]),
+        energy: first([
+            counts(energy, (upper - lower).max(NONE * work(&displacement))),
+            counts(0.5 * work(&body.reach.free), 0.0),
+            None,
+        ]),
+    }
+}
+
+/// Variables and gradient that were brought, with what they may be off, and what is left of the gradient.
+struct Point {
+    x: Vec<Double>,
+    gradient: Vec<Double>,
+    off: [f64; 2],
+    rest: f64,
 }
 
 impl Proof {
-    /// How far some clearances are off.
+    /// How far some clearances are off, with ground out of reach where the program has it.
     #[must_use]
     pub fn off(&self, clearance: &[f64]) -> Off {
-        self.off_by(clearance.iter().copied().map(Double::exact), self.error)
+        self.clearance_off(clearance.iter().copied().map(Double::exact), self.error)
     }
 
-    fn off_by(&self, clearance: impl Iterator<Item = Double>, error: f64) -> Off {
-        let [least, most] = apart(&self.clearance, clearance, error);
-        Off { least, most, share: most / self.size }
+    fn clearance_off(&self, clearance: impl Iterator<Item = Double>, error: f64) -> Off {
+        Off::new(apart(&self.clearance, clearance, error), self.sizes.clearance)
     }
 
-    /// What the largest error of some contact forces is at least and at most.
+    /// How far some contact forces are off.
     #[must_use]
-    pub fn force_off(&self, force: &[f64]) -> [f64; 2] {
-        apart(&self.force, force.iter().copied().map(Double::exact), self.force_error)
+    pub fn force_off(&self, force: &[f64]) -> Off {
+        let force = force.iter().copied().map(Double::exact);
+        Off::new(apart(&self.force, force, self.force_error), self.sizes.force)
     }
 
-    /// The clearances that an answer has, or that its forces cause, and how far they are off.
+    /// How far an energy is off that is itself known up to an error.
+    fn energy_off(&self, (energy, error): (Double, f64)) -> Off {
+        let ([lower, upper], energy) = (self.energy, energy.rounded());
+        let least = (lower - energy).max(energy - upper) - error * UP;
+        let most = (upper - energy).max(energy - lower) + error * UP;
+        let known = [if least.is_nan() { f64::INFINITY } else { least.max(0.0) }, if most.is_nan() { f64::INFINITY } else { most }];
+        Off::new(known, self.sizes.energy)
+    }
+
+    /// How far the answer of a solver is off.
+    #[must_use]
+    pub fn errors(&self, body: &Body, answer: &Answer) -> Errors {
+        let (clearance, force) = body.clearance_within_reach(answer);
+        let x: Vec<Double> = answer.x.iter().copied().map(Double::exact).collect();
+        let energy = energy(body, &x, &body.program.gradient_at(&x));
+        Errors { clearance: self.off(clearance), force: self.force_off(force), energy: self.energy_off(energy) }
+    }
+
+    /// The clearances that were brought, or that the forces cause, the forces, and how far all of them are off.
+    ///
+    /// A clearance out of reach that is right to the last digit says no more than that nothing touches there: what is left of such a gap
+    /// by a displacement is then that of equilibrium.
     ///
     /// # Errors
     ///
     /// [`NotPositiveDefinite`] never of a body that there is.
-    pub fn judge(&self, body: &Body, brought: &Brought) -> Result<(Vec<f64>, Off), NotPositiveDefinite> {
+    pub fn judge(&self, body: &Body, brought: &Brought) -> Result<([Vec<f64>; 2], Errors), NotPositiveDefinite> {
         let qp = &body.program;
-        let exact = |values: &[f64]| values.iter().copied().map(Double::exact).collect::<Vec<_>>();
-        let (clearance, off) = match (brought, body.kind) {
-            (Brought::Clearance(clearance), _) => (exact(clearance), 0.0),
-            (Brought::Force(force), Kind::Flexibility) => {
-                let sums = qp.gradient_at(&exact(force));
-                let off = (0..force.len()).map(|i| sums.off(i)).fold(0.0, f64::max);
-                (sums.values, off)
-            }
-            (Brought::Force(force), Kind::Stiffness) => {
-                let all: Vec<usize> = (0..force.len()).collect();
-                let x = qp.solved(&all, force)?;
-                let found = qp.gradient_at(&x);
-                let rest = |i: usize| (found.values[i] - Double::exact(force[i])).rounded().abs() + found.off(i);
-                let square: f64 = all.iter().map(|&i| rest(i) * rest(i)).sum();
-                (x, square.sqrt() / self.least_eigenvalue * UP)
-            }
+        let Point { x, gradient, off: [x_off, gradient_off], rest } = match brought {
+            Brought::Clearance(clearance) => self.of_clearance(body, clearance)?,
+            Brought::Force(force) => self.of_force(body, force)?,
+        };
+        let sums = qp.gradient_at(&x);
+        let b = qp.right();
+        let slope = |i: usize| {
+            let of_energy = if body.kind == Kind::Stiffness { sums.values[i] } else { sums.values[i] + b.values[i] };
+            of_energy.rounded().abs() + sums.off(i) + b.off(i)
+        };
+        let norm = (0..x.len()).map(|i| slope(i) * slope(i)).sum::<f64>().sqrt();
+        let (known, rounded) = energy(body, &x, &sums);
+        // J(x + δ) − J(x) = J'(x)ᵀδ + ½ δᵀA δ, and A δ is what is left of the gradient.
+        let energy = self.energy_off((known, (rounded + x_off * (norm + rest)) * UP));
+        let (clearance, force, [off, force_off]) = match body.kind {
+            Kind::Stiffness => (x, gradient, [x_off, gradient_off]),
+            Kind::Flexibility => (gradient, x, [gradient_off, x_off]),
         };
         // What may be nothing but the rounding of its own solve is zero.
-        let rounded = clearance.iter().map(|h| if h.rounded().abs() <= off { 0.0 } else { h.rounded() }).collect();
-        Ok((rounded, self.off_by(clearance.into_iter(), (self.error + off) * UP)))
+        let rounded = |values: &[Double], off: f64| -> Vec<f64> {
+            values.iter().map(|h| if h.rounded().abs() <= off { 0.0 } else { h.rounded() }).collect()
+        };
+        let both = [rounded(&clearance, off), rounded(&force, force_off)];
+        let force = apart(&self.force, force.into_iter(), (self.force_error + force_off) * UP);
+        let errors = Errors {
+            clearance: self.clearance_off(clearance.into_iter(), (self.error + off) * UP),
+            force: Off::new(force, self.sizes.force),
+            energy,
+        };
+        Ok((both, errors))
+    }
+
+    /// The point of contact forces.
+    fn of_force(&self, body: &Body, force: &[f64]) -> Result<Point, NotPositiveDefinite> {
+        let exact: Vec<Double> = force.iter().copied().map(Double::exact).collect();
+        match body.kind {
+            Kind::Flexibility => Ok(self.from_variables(body, exact)),
+            Kind::Stiffness => self.from_gradient(body, &vec![true; force.len()], exact),
+        }
+    }
+
+    /// The point of clearances.
+    fn of_clearance(&self, body: &Body, clearance: &[f64]) -> Result<Point, NotPositiveDefinite> {
+        let (mut within, mut told) = (Vec::with_capacity(clearance.len()), vec![true; clearance.len()]);
+        for (i, h) in clearance.iter().enumerate() {
+            let (gap, reach) = (body.gap[i], body.reach.gap[i]);
+            let last_digits = 2.0 * f64::EPSILON * gap.abs();
+            let own = match gap.is_finite() {
+                true => Double::exact(*h) - (Double::exact(gap) - Double::exact(reach)),
+                false if f64::INFINITY <= *h => self.clearance[i],
+                // No number is right there.
+                false => Double::exact(f64::NAN),
+            };
+            let off = (own - self.clearance[i]).rounded().abs();
+            told[i] = !(body.is_out_of_reach(i) && off <= last_digits);
+            within.push(own);
+        }
+        if body.kind == Kind::Flexibility {
+            return self.from_gradient(body, &told, within);
+        }
+        let open: Vec<usize> = (0..within.len()).filter(|i| !told[*i]).collect();
+        let x = body.program.solved(&open, &[], Some(within))?;
+        Ok(self.from_variables(body, x))
+    }
+
+    fn from_variables(&self, body: &Body, x: Vec<Double>) -> Point {
+        let sums = body.program.gradient_at(&x);
+        let off = (0..x.len()).map(|i| sums.off(i)).fold(0.0, f64::max);
+        Point { x, gradient: sums.values, off: [0.0, off], rest: 0.0 }
+    }
+
+    /// Variables with a gradient that is told; where it is not told, they are zero.
+    fn from_gradient(&self, body: &Body, told: &[bool], gradient: Vec<Double>) -> Result<Point, NotPositiveDefinite> {
+        let chosen: Vec<usize> = (0..told.len()).filter(|i| told[*i]).collect();
+        let x = body.program.solved(&chosen, &gradient, None)?;
+        let found = body.program.gradient_at(&x);
+        let rest = |i: &usize| (found.values[*i] - gradient[*i]).rounded().abs() + found.off(*i);
+        let square: f64 = chosen.iter().map(|i| rest(i) * rest(i)).sum();
+        let rest = square.sqrt() * UP;
+        let all = (0..told.len()).map(|i| if told[i] { gradient[i] } else { found.values[i] }).collect();
+        let x_off = rest / self.least_eigenvalue * UP;
+        let diagonal = body.program.profile().diagonal().fold(0.0, f64::max);
+        let open = (0..told.len()).filter(|i| !told[*i]).map(|i| found.off(i)).fold(0.0, f64::max);
+        // Where it is told it is exact; elsewhere |A δ|_i ≤ √a_ii ‖r‖/√τ.
+        let gradient_off = if chosen.len() == told.len() {
+            0.0
+        } else {
+            ((diagonal * UP).sqrt() * rest / self.least_eigenvalue.sqrt() + open) * UP
+        };
+        Ok(Point { x, gradient: all, off: [x_off, gradient_off], rest })
     }
 }
 

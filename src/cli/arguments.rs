@@ -87,7 +87,8 @@ Examples:
   cut -d, -f1,2 solved.csv > answer.csv
   palkki certify ridge/body.toml answer.csv
 
-  palkki export report/scenes/ridge.toml --method displacement -n 300 --to sparse --form sparse";
+  palkki export report/scenes/ridge.toml --method displacement -n 300 --to sparse --form sparse
+  palkki export report/scenes/ridge.toml --method force -n 300 --to qps --form qps";
 
 const COMPLETIONS_EXAMPLE: &str = "\
 Examples:

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use palkki::DEFAULT_TOLERANCE;
-use palkki::body::proof::{Brought, Proof, Unproven, prove};
+use palkki::body::proof::{Brought, Errors, Proof, Sizes, Unproven, prove};
 use palkki::body::{Body, Verdict};
 use palkki::certificate::ViolationKind;
 use palkki::qp::{Qp as _, residual};
@@ -50,13 +50,13 @@ struct Certificate {
     energy_upper: f64,
     gap: f64,
     error: f64,
-    force_error: Option<f64>,
+    force_error: f64,
 }
 
 impl Certificate {
-    fn new(proof: &Proof, error: f64, force_error: Option<f64>) -> Self {
+    fn new(proof: &Proof, errors: &Errors) -> Self {
         let [energy_lower, energy_upper] = proof.energy;
-        Self { energy_lower, energy_upper, gap: proof.gap, error, force_error }
+        Self { energy_lower, energy_upper, gap: proof.gap, error: errors.clearance.most, force_error: errors.force.most }
     }
 }
 
@@ -74,10 +74,8 @@ fn timed(body: &Body, solver: Solver) -> (Answer, f64) {
 
 impl Route {
     fn of(body: &Body, solver: Solver, (answer, seconds): (Answer, f64), demanded: f64, proof: &Proven) -> Self {
-        let [clearance, contact_force] = body.clearance_and_force(&answer);
-        let off = proof.as_ref().map(|proof| proof.off(clearance)).map_err(|error| *error);
-        let Verdict { status, reason, off } = Verdict::new(off, demanded, answer.run.reports_success);
-        let force_error = |proof: &Proof| Some(proof.force_off(contact_force)[1]);
+        let errors = proof.as_ref().map(|proof| proof.errors(body, &answer)).map_err(|error| *error);
+        let Verdict { status, reason, errors } = Verdict::new(errors, demanded, answer.run.reports_success);
         Self {
             method: body.method(),
             solver: solver.name(),
@@ -89,8 +87,8 @@ impl Route {
             iterations: answer.run.iterations,
             seconds,
             energy: body.energy(&answer),
-            off: [off.least, off.most],
-            certificate: proof.as_ref().ok().map(|proof| Certificate::new(proof, off.most, force_error(proof))),
+            off: [errors.clearance.least, errors.clearance.most],
+            certificate: proof.as_ref().ok().map(|proof| Certificate::new(proof, &errors)),
             answer,
         }
     }
@@ -135,7 +133,7 @@ pub(super) fn solve<'a>(input: &Input<Body>, arguments: &'a Solve) -> Result<Out
             print(&SolveObject { scene: input.title(), route: &route, nodes })
         },
     );
-    let rows = (1..).zip(clearance.iter().zip(contact_force));
+    let rows = (1..).zip(clearance.iter().zip(&contact_force));
     let rows = rows.map(|(i, (h, p))| format!("{i},{},{}\n", field(*h), field(*p)));
     let written = csv
         .as_ref()
@@ -148,7 +146,7 @@ fn text(input: &Input<Body>, route: &Route, nodes: bool) -> String {
     let labels = input.labels();
     let [clearance, contact_force] = input.scene.clearance_and_force(&route.answer);
     let touching = contact_force.iter().filter(|force| 0.0 < **force).count();
-    let largest = clearance.iter().copied().fold(0.0, f64::max);
+    let largest = clearance.iter().copied().filter(|h| h.is_finite()).fold(0.0, f64::max);
     let mut text = heading(route.status, &route.reason, input);
     text += &list(&[
         ("method", route.method.to_owned()),
@@ -166,7 +164,7 @@ fn text(input: &Input<Body>, route: &Route, nodes: bool) -> String {
     }
     if nodes {
         let rows: Vec<Row> = (1..)
-            .zip(clearance.iter().zip(contact_force))
+            .zip(clearance.iter().zip(&contact_force))
             .map(|(i, (h, p)): (usize, _)| vec![i.to_string(), labels.number(*h), labels.number(*p)])
             .collect();
         let header = ["freedom", &labels.length.name("clearance"), &labels.force.name("contact force")];
@@ -184,7 +182,7 @@ fn bounds(input: &Input<Body>, certificate: &Certificate, least: Option<f64>) ->
     let least = least.map_or_else(|| "0".to_owned(), magnitude_at_least);
     rows.push(vec![labels.length.name("largest error of a clearance"), least, magnitude_at_most(error)]);
     let of_force = labels.force.name("largest error of a contact force");
-    rows.extend(force_error.map(|error| vec![of_force, "0".to_owned(), magnitude_at_most(error)]));
+    rows.push(vec![of_force, "0".to_owned(), magnitude_at_most(force_error)]);
     table("Guaranteed", &["", BRACKET[0], BRACKET[1]], &rows)
 }
 
@@ -218,7 +216,7 @@ pub(super) fn compare<'a>(input: &Input<Body>, common: &Common) -> Outcome<'a> {
     Outcome { text: common.shown(as_text, as_json), files: Vec::new(), is_certified: 0 < certified }
 }
 
-/// A condition that is violated, where it is worst.
+/// A condition that is violated by more than may be certified, where it is worst.
 #[derive(Debug, Serialize)]
 struct Violation {
     condition: ViolationKind,
@@ -238,16 +236,17 @@ pub(super) fn certify<'a>(input: &Input<Body>, arguments: &Certify) -> Result<Ou
         Ok(proof) => proof.judge(body, &brought).map_err(Unproven::from),
         Err(error) => Err(*error),
     };
-    let (clearance, off) = match judged {
-        Ok((clearance, off)) => (clearance, Ok(off)),
-        Err(error) => (Vec::new(), Err(error)),
+    let (state, errors) = match judged {
+        Ok((state, errors)) => (Some(state), Ok(errors)),
+        Err(error) => (None, Err(error)),
     };
-    let verdict = Verdict::new(off, EXACT, true);
-    let certificate = proof.as_ref().ok().map(|proof| Certificate::new(proof, verdict.off.most, None));
-    let violations = violations(&brought, &clearance);
+    let verdict = Verdict::new(errors, EXACT, true);
+    let certificate = proof.as_ref().ok().map(|proof| Certificate::new(proof, &verdict.errors));
+    let found = proof.as_ref().ok().zip(state);
+    let violations = found.map_or_else(Vec::new, |(proof, state)| violations(&brought, &state, proof.sizes));
     let as_text = || {
         let mut text = heading(verdict.status, &verdict.reason, input);
-        text += &certificate.map_or_else(String::new, |found| bounds(input, &found, Some(verdict.off.least)));
+        text += &certificate.map_or_else(String::new, |found| bounds(input, &found, Some(verdict.errors.clearance.least)));
         let rows: Vec<Row> = violations
             .iter()
             .map(|v| vec![v.condition.name().to_owned(), v.at.to_string(), magnitude(v.amount)])
@@ -258,8 +257,8 @@ pub(super) fn certify<'a>(input: &Input<Body>, arguments: &Certify) -> Result<Ou
         }
     };
     let as_json = || {
-        let Verdict { status, reason, off } = &verdict;
-        let off = [off.least, off.most];
+        let Verdict { status, reason, errors } = &verdict;
+        let off = [errors.clearance.least, errors.clearance.most];
         print(
             &json!({ "scene": input.title(), "status": status, "reason": reason, "off": off, "certificate": certificate, "violations": violations }),
         )
@@ -268,17 +267,18 @@ pub(super) fn certify<'a>(input: &Input<Body>, arguments: &Certify) -> Result<Ou
     Ok(Outcome { text, files: Vec::new(), is_certified: verdict.status == Status::Certified })
 }
 
-/// Conditions that clearances violate, and forces where they were brought.
-fn violations(brought: &Brought, clearance: &[f64]) -> Vec<Violation> {
-    let worst = |condition, amounts: &mut dyn Iterator<Item = f64>| {
+/// Conditions that clearances violate, and forces where they were brought, by more than an answer that is certified may.
+fn violations(brought: &Brought, [clearance, force]: &[Vec<f64>; 2], sizes: Sizes) -> Vec<Violation> {
+    let worst = |condition, size: f64, amounts: &mut dyn Iterator<Item = f64>| {
         let (at, amount) = (1..).zip(amounts).max_by(|a, b| a.1.total_cmp(&b.1))?;
-        (0.0 < amount).then_some(Violation { condition, at, amount })
+        (EXACT * size < amount).then_some(Violation { condition, at, amount })
     };
-    let mut found = vec![worst(ViolationKind::Penetration, &mut clearance.iter().map(|h| -h))];
-    if let Brought::Force(force) = brought {
-        found.push(worst(ViolationKind::Tension, &mut force.iter().map(|p| -p)));
-        let across = force.iter().zip(clearance).map(|(p, h)| if 0.0 < *p { *h } else { 0.0 });
-        found.push(worst(ViolationKind::Complementarity, &mut { across }));
+    let mut found = vec![worst(ViolationKind::Penetration, sizes.clearance, &mut clearance.iter().map(|h| -h))];
+    if let Brought::Force(_) = brought {
+        found.push(worst(ViolationKind::Tension, sizes.force, &mut force.iter().map(|p| -p)));
+        let pressed = |p: f64| EXACT * sizes.force < p;
+        let across = force.iter().zip(clearance).map(|(p, h)| if pressed(*p) { *h } else { 0.0 });
+        found.push(worst(ViolationKind::Complementarity, sizes.clearance, &mut { across }));
     }
     found.into_iter().flatten().collect()
 }

@@ -11,6 +11,7 @@ use super::Outcome;
 use super::arguments::{Export, Form};
 use super::input::Input;
 use super::output::Failure;
+use super::qps::qps;
 
 /// Most unknowns of a full matrix as text: 4000 take some 200 MB.
 const LARGEST_DENSE: usize = 4000;
@@ -19,6 +20,7 @@ impl Export {
     /// The names of the files, in the order in which they are made.
     fn names(&self) -> &'static [&'static str] {
         match (self.form, self.method.0.is_free_in_contact()) {
+            (Form::Qps, _) => &["program.qps", "names.csv"],
             (Form::Sparse, _) => &["P.mtx", "q.csv", "A.mtx", "bounds.csv", "names.csv"],
             (Form::Dense, true) => &["body.toml", "C.mtx", "gap.csv", "names.csv"],
             (Form::Dense, false) => &["body.toml", "K.mtx", "load.csv", "names.csv"],
@@ -44,23 +46,39 @@ pub(super) fn export<'a>(
     }
     let discrete = Discrete::new(&input.scene, *intervals).map_err(|error| input.error(error))?;
     let qp = method.qp(&discrete);
-    let what = if method.is_free_in_contact() { "contact force" } else { "clearance" };
-    let names = (0..qp.dimension()).map(|k| format!("{what} at x = {:?}", discrete.grid.place(discrete.node(k))));
+    let name = |k: usize| {
+        let node = discrete.node(k);
+        let place = discrete.grid.place(node);
+        match method.is_free_in_contact() {
+            true => format!("contact force at x = {place:?}"),
+            // What the program has as clearance is that of a spring that is not pressed.
+            false if 0.0 < discrete.give(node) => {
+                format!("clearance of the beam at x = {place:?} plus {:?} times the contact force there", discrete.give(node))
+            }
+            false => format!("clearance at x = {place:?}"),
+        }
+    };
+    let names = (0..qp.dimension()).map(name);
     let texts = match form {
         Form::Dense => {
             let names = names.map(|name| [name]);
             let [scene, matrix, linear] = dense(input, method, &discrete, qp.as_ref())?;
             vec![scene, matrix, linear, csv("i,what", names)]
         }
-        Form::Sparse => {
-            let Some(form) = qp.sparse() else { return Err(Failure::refused("export", "there is no sparse form")) };
-            let unit = form.sizes.x;
-            let names = names.map(|name| format!("{name} in units of {unit:?}"));
-            let free = unsigned(&discrete, method).into_iter().take(form.signed);
-            let names = free.map(|name| format!("{name} in a unit of its own")).chain(names);
-            let mut texts = sparse(&form);
-            texts.push(csv("i,what", names.map(|name| [name])));
-            texts
+        Form::Sparse | Form::Qps => {
+            let Some(sparse_form) = qp.sparse() else { return Err(Failure::refused("export", "there is no sparse form")) };
+            let free = unsigned(&discrete, method).into_iter().take(sparse_form.signed);
+            let (what, units): (Vec<String>, Vec<f64>) =
+                free.chain(names.map(|name| (name, sparse_form.sizes.x))).unzip();
+            if *form == Form::Qps {
+                let energy = discrete.sizes().x * discrete.sizes().gradient;
+                vec![qps(&sparse_form, &units, energy), csv("i,what", what.into_iter().map(|name| [name]))]
+            } else {
+                let names = what.into_iter().zip(units).map(|(name, unit)| [format!("{name} in units of {unit:?}")]);
+                let mut texts = sparse(&sparse_form);
+                texts.push(csv("i,what", names));
+                texts
+            }
         }
     };
     let shown = arguments.common.shown(
@@ -76,6 +94,10 @@ fn dense(input: &Input, method: Method, discrete: &Discrete, qp: &dyn Qp) -> Res
     let n = qp.dimension();
     if let Some(why) = qp.without_matrix() {
         return Err(Failure::refused("export", format!("{why}; --form sparse has one")));
+    }
+    if !discrete.is_held() {
+        let message = "the supports leave the beam free to move as a whole, so that its stiffness matrix is singular; --form sparse has what the loads have to balance";
+        return Err(Failure::refused("export", message));
     }
     if LARGEST_DENSE < n {
         let message = format!("a full matrix of {n} unknowns is more than {LARGEST_DENSE}; take --form sparse");

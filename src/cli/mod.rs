@@ -20,6 +20,7 @@ mod input;
 mod json;
 mod local;
 mod output;
+mod qps;
 mod pages;
 mod sweep;
 mod table;

@@ -70,6 +70,8 @@ pub(super) enum Form {
     Dense,
     /// moments beside them
     Sparse,
+    /// the same as one file in free MPS with `QUADOBJ`, in the units of the scene
+    Qps,
 }
 
 /// `--solver`.

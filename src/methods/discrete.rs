@@ -139,6 +139,12 @@ impl Discrete {
         [0, self.intervals].map(|node| self.supports.at(node).is_some())
     }
 
+    /// Whether the supports hold the beam against turning and moving: if not, its stiffness is singular, and it has no flexibility.
+    #[must_use]
+    pub fn is_held(&self) -> bool {
+        self.supports.lacking() == 0
+    }
+
     /// The supports.
     pub(crate) fn supports(&self) -> &Supports {
         &self.supports

@@ -110,7 +110,7 @@ impl Qp for Program<'_> {
     }
 
     fn without_matrix(&self) -> Option<&'static str> {
-        (self.method.is_free_in_contact() && 0 < self.discrete.supports().lacking()).then_some(NO_FLEXIBILITY)
+        (self.method.is_free_in_contact() && !self.discrete.is_held()).then_some(NO_FLEXIBILITY)
     }
 
     fn sizes(&self) -> Sizes {
@@ -129,7 +129,7 @@ const NO_FLEXIBILITY: &str =
 /// The deflection at all nodes but supported ends of the beam on its supports, under its loads less some contact forces there.
 pub(super) fn deflection(discrete: &Discrete, forces: &[f64], discretisation: Discretisation) -> Vec<f64> {
     let unknown = || vec![f64::NAN; forces.len()];
-    if 0 < discrete.supports().lacking() {
+    if !discrete.is_held() {
         return unknown();
     }
     let basic = discrete.basic(remaining(discrete, forces));

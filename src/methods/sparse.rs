@@ -73,28 +73,62 @@ impl Hinge {
     }
 }
 
-/// What the variables without a sign of a sparse form are, in their order: moments, and of clearances on ground that gives what the
-/// springs are pressed by.
+/// What the variables without a sign of a sparse form are, in their order, each with the unit in which it counts: moments, positive where
+/// the underside is in tension, and of clearances on ground that gives what the springs are pressed by.
 #[must_use]
-pub fn unsigned(discrete: &Discrete, method: Method) -> Vec<String> {
+pub fn unsigned(discrete: &Discrete, method: Method) -> Vec<(String, f64)> {
+    let Units { depth, force, moment } = Units::of(discrete, method);
     let name = |hinge: &Hinge| {
         let side = match hinge.sides {
             [true, false] => "left of",
             [false, true] => "right of",
             _ => "at",
         };
-        format!("moment {side} x = {:?}", discrete.grid.place(hinge.node))
+        (format!("moment {side} x = {:?}", discrete.grid.place(hinge.node)), moment)
     };
     let springs = if discrete.gives() && !method.is_free_in_contact() { discrete.unknowns() } else { 0 };
-    let spring = |k| format!("penetration at x = {:?}", discrete.grid.place(discrete.node(k)));
+    let spring = |k| {
+        let node = discrete.node(k);
+        (format!("penetration at x = {:?}", discrete.grid.place(node)), depth * spring_unit(discrete, node, depth, force))
+    };
     Hinge::all(discrete).iter().map(name).chain((0..springs).map(spring)).collect()
+}
+
+/// The units of the variables, as found above.
+struct Units {
+    depth: f64,
+    force: f64,
+    moment: f64,
+}
+
+impl Units {
+    fn of(discrete: &Discrete, method: Method) -> Self {
+        let Sizes { x: depth, gradient: force } = discrete.sizes();
+        let Discrete { spacing, stiffness, .. } = *discrete;
+        if method.is_free_in_contact() {
+            return Self { depth, force, moment: force * spacing };
+        }
+        let fine = fineness(discrete);
+        let (depth, force) = (depth / fine, force * fine);
+        Self { depth, force, moment: (stiffness / spacing * depth).sqrt() * force.sqrt() }
+    }
+}
+
+/// `√n`.
+#[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
+fn fineness(discrete: &Discrete) -> f64 {
+    (discrete.unknowns() as f64).sqrt()
+}
+
+/// What the spring below a node is pressed by in its own unit, in which its energy is `½ s²`, over the unit of clearances.
+fn spring_unit(discrete: &Discrete, node: usize, depth: f64, force: f64) -> f64 {
+    (discrete.give(node) * force / depth).sqrt()
 }
 
 /// Methods 1 and 2: moments, then clearances. `sizes` are those of clearance and gradient in the quadratic program.
 pub(super) fn potential(discrete: &Discrete, discretisation: Discretisation, sizes: Sizes) -> SparseForm {
     let (n, hinges) = (discrete.unknowns(), Hinge::all(discrete));
-    #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
-    let fine = (n as f64).sqrt();
+    let fine = fineness(discrete);
     let Sizes { x: depth, gradient: force } = discrete.sizes();
     let (depth, force) = (depth / fine, force * fine);
     // (Δ/EI) M₀ over X/Δ; the same for these units as for X and G, but for the factor √n.
@@ -130,7 +164,7 @@ pub(super) fn potential(discrete: &Discrete, discretisation: Discretisation, siz
         let feet = equations.split_off(signed);
         let loads = linear.split_off(signed);
         for (i, (foot, load)) in feet.iter().zip(&loads).enumerate() {
-            let unit = (discrete.give(discrete.node(i)) * force / depth).sqrt();
+            let unit = spring_unit(discrete, discrete.node(i), depth, force);
             equations.push(foot.iter().map(|(hinge, share)| (*hinge, -unit * share)).collect());
             linear.push(-unit * load);
             quadratic.push(Some(1.0));

@@ -1,5 +1,6 @@
 //! A quadratic program that is given by its matrix, whatever that stands for.
 
+use super::ordering::elimination_order;
 use super::{FreeSet, Matrix, NotPositiveDefinite, Profile, Qp, Sizes, SparseForm, Stationary, Sums};
 use crate::double::Double;
 
@@ -9,7 +10,9 @@ pub struct Explicit {
     matrix: Profile,
     /// What is missing to `A`, which may be a sum that 64 bits cannot hold.
     rest: Profile,
-    /// The factor of `matrix`.
+    /// The order in which unknowns are eliminated.
+    order: Vec<usize>,
+    /// The factor of `matrix` in this order.
     factor: Profile,
     linear: Sums,
     sizes: Sizes,
@@ -34,21 +37,29 @@ impl Explicit {
     pub fn new(matrix: Profile, linear: &[f64]) -> Result<Self, NotPositiveDefinite> {
         let mut sums = Sums::zero(linear.len());
         linear.iter().enumerate().for_each(|(i, b)| sums.add(i, 1.0, Double::exact(*b)));
-        Self::of_sums([matrix, Profile::default()], sums)
+        Ok(Self::factored([matrix, Profile::default()])?.with_linear(sums))
     }
 
-    /// The same of `A` in two parts, the second what is rounded off the first, and of `b` in twice the precision.
-    pub(crate) fn of_sums([matrix, rest]: [Profile; 2], linear: Sums) -> Result<Self, NotPositiveDefinite> {
-        let factor = matrix.clone().cholesky()?;
+    /// The program of `A` in two parts, the second what is rounded off the first, and of no `b`.
+    pub(crate) fn factored([matrix, rest]: [Profile; 2]) -> Result<Self, NotPositiveDefinite> {
+        let order = elimination_order(&matrix);
+        let factor = matrix.part(&order, 0.0).cholesky();
+        let factor = factor.map_err(|error| NotPositiveDefinite { index: order[error.index], ..error })?;
+        let (linear, sizes) = (Sums::zero(order.len()), Sizes { x: 1.0, gradient: 1.0 });
+        Ok(Self { matrix, rest, order, factor, linear, sizes })
+    }
+
+    /// The same with `b` in twice the precision.
+    pub(crate) fn with_linear(self, linear: Sums) -> Self {
         let b = linear.rounded();
         let most = |values: &mut dyn Iterator<Item = f64>| match values.fold(0.0, f64::max) {
             0.0 => 1.0,
             most => most,
         };
         // What a variable would be if all others were zero.
-        let x = most(&mut b.iter().zip(matrix.diagonal()).map(|(b, a)| b.abs() / a));
+        let x = most(&mut b.iter().zip(self.matrix.diagonal()).map(|(b, a)| b.abs() / a));
         let sizes = Sizes { x, gradient: most(&mut b.iter().map(|b| b.abs())) };
-        Ok(Self { matrix, rest, factor, linear, sizes })
+        Self { linear, sizes, ..self }
     }
 
     /// `A`, rounded.
@@ -62,9 +73,19 @@ impl Explicit {
         &self.rest
     }
 
-    /// The factor of `A`.
+    /// The order in which unknowns are eliminated.
+    pub(crate) fn order(&self) -> &[usize] {
+        &self.order
+    }
+
+    /// The factor of `A` in this order.
     pub(crate) fn factor(&self) -> &Profile {
         &self.factor
+    }
+
+    /// Solves `A x = b`, once.
+    pub(crate) fn solve(&self, b: &[f64]) -> Vec<f64> {
+        solved_in(&self.order, &self.factor, b)
     }
 
     /// `b` with its rounding.
@@ -80,21 +101,29 @@ impl Explicit {
         sums
     }
 
-    /// `x` with a given gradient, zero where no other is given, on some variables, the others being zero; refined as long as
-    /// corrections become smaller.
-    pub(crate) fn solved(&self, chosen: &[usize], gradient: &[f64]) -> Result<Vec<Double>, NotPositiveDefinite> {
-        let mut x = vec![Double::ZERO; self.dimension()];
+    /// `x` with a given gradient, zero where no other is given, on some variables, the others being as they were before, or zero;
+    /// refined as long as corrections become smaller.
+    pub(crate) fn solved(
+        &self,
+        chosen: &[usize],
+        gradient: &[Double],
+        before: Option<Vec<Double>>,
+    ) -> Result<Vec<Double>, NotPositiveDefinite> {
+        let mut x = before.unwrap_or_else(|| vec![Double::ZERO; self.dimension()]);
+        let mut is_chosen = vec![false; x.len()];
+        chosen.iter().for_each(|i| is_chosen[*i] = true);
+        let chosen: Vec<usize> = self.order.iter().copied().filter(|i| is_chosen[*i]).collect();
         let own;
         let factor = if chosen.len() == x.len() {
             &self.factor
         } else {
-            own = self.matrix.part(chosen, 0.0).cholesky()?;
+            own = self.matrix.part(&chosen, 0.0).cholesky()?;
             &own
         };
         let mut last = f64::INFINITY;
         for _ in 0..ROUNDS {
             let found = self.gradient_at(&x);
-            let wanted = |i: usize| Double::exact(gradient.get(i).copied().unwrap_or(0.0));
+            let wanted = |i: usize| gradient.get(i).copied().unwrap_or(Double::ZERO);
             let mut step: Vec<f64> = chosen.iter().map(|&i| (wanted(i) - found.values[i]).rounded()).collect();
             factor.solve(&mut step);
             let size = step.iter().fold(0.0_f64, |most, step| most.max(step.abs()));
@@ -132,7 +161,7 @@ impl Qp for Explicit {
 
     fn stationary(&self, free: &FreeSet) -> Result<Stationary, NotPositiveDefinite> {
         let chosen: Vec<usize> = free.variables().collect();
-        let x = self.solved(&chosen, &[])?;
+        let x = self.solved(&chosen, &[], None)?;
         let mut gradient = self.gradient_at(&x).rounded();
         chosen.iter().for_each(|&i| gradient[i] = 0.0);
         let mut x: Vec<f64> = x.iter().map(|x| x.rounded()).collect();
@@ -142,12 +171,21 @@ impl Qp for Explicit {
     }
 
     fn solve_work(&self) -> usize {
-        self.dimension().max(self.matrix.products() / PRODUCTS)
+        self.dimension().max(self.factor.products() / PRODUCTS)
     }
 
     fn sizes(&self) -> Sizes {
         self.sizes
     }
+}
+
+/// Solves `L Lᵀ x = b` for unknowns that are eliminated in some order.
+pub(crate) fn solved_in(order: &[usize], factor: &Profile, b: &[f64]) -> Vec<f64> {
+    let mut ordered: Vec<f64> = order.iter().map(|i| b[*i]).collect();
+    factor.solve(&mut ordered);
+    let mut x = vec![0.0; b.len()];
+    order.iter().zip(ordered).for_each(|(i, value)| x[*i] = value);
+    x
 }
 
 /// Zero for what may be rounding, of values whose size is the largest of them, and at least the given one.

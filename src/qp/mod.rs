@@ -17,11 +17,13 @@ pub(crate) mod blocks;
 mod explicit;
 mod free_set;
 mod matrix;
+mod ordering;
 mod profile;
 mod sparse;
 
 pub use band::{Band, NotPositiveDefinite, Row};
 pub use explicit::Explicit;
+pub(crate) use explicit::solved_in;
 pub use free_set::FreeSet;
 pub use matrix::{Matrix, UpperColumns};
 pub use profile::Profile;

@@ -14,7 +14,7 @@ pub struct Profile {
     first: Vec<usize>,
     /// Where each row starts in `values`; n + 1 entries.
     start: Vec<usize>,
-    /// Row of the last entry of each column; of a matrix, not of a part or of factors of one.
+    /// Row of the last entry of each column.
     last: Vec<usize>,
     values: Vec<f64>,
 }
@@ -109,17 +109,23 @@ impl Profile {
         (0..self.dimension()).map(|i| (self.first[i], self.row(i)))
     }
 
-    /// Some rows and their columns, ascending, with `shift` taken from the diagonal.
+    /// Entries that are not zero, by rows.
+    pub(crate) fn entries(&self) -> impl Iterator<Item = (usize, usize, f64)> + Clone + '_ {
+        let of_row = |i: usize| (self.first[i]..).zip(self.row(i)).map(move |(j, a)| (i, j, *a));
+        (0..self.dimension()).flat_map(of_row).filter(|(_, _, a)| *a != 0.0)
+    }
+
+    /// Some rows and their columns, in the order in which they are chosen, with `shift` taken from the diagonal.
     #[must_use]
     pub fn part(&self, chosen: &[usize], shift: f64) -> Self {
-        let mut part = Self { start: vec![0], ..Self::default() };
-        for (k, &i) in chosen.iter().enumerate() {
-            let from = chosen.partition_point(|&j| j < self.first[i]);
-            part.first.push(from);
-            part.values.extend(chosen[from..k].iter().map(|&j| self.row(i)[j - self.first[i]]));
-            part.values.push(self.entry(i, i) - shift);
-            part.start.push(part.values.len());
-        }
+        let mut place = vec![None; self.dimension()];
+        chosen.iter().enumerate().for_each(|(k, i)| place[*i] = Some(k));
+        let of_part = |(i, j, a): (usize, usize, f64)| {
+            let (k, l) = (place[i]?, place[j]?);
+            Some((k.max(l), k.min(l), a))
+        };
+        let mut part = Self::of_entries(chosen.len(), self.entries().filter_map(of_part));
+        part.add_to_diagonal(std::iter::repeat_n(-shift, chosen.len()));
         part
     }
 

@@ -1,7 +1,7 @@
 //! Mehrotra's predictor and corrector (Mehrotra 1992): a first set of free variables for the active set, which alone would exchange
 //! them one by one.
 
-use crate::qp::{Explicit, FreeSet, NotPositiveDefinite, Profile, Qp as _};
+use crate::qp::{Explicit, FreeSet, NotPositiveDefinite, Profile, Qp as _, solved_in};
 
 /// Most steps: 10 to 30 are the rule.
 const STEPS: usize = 60;
@@ -18,6 +18,7 @@ const SHORT_OF_BORDER: f64 = 0.995;
 /// `x > 0` and `g > 0` with `A x − g = b`.
 struct Interior<'a> {
     matrix: &'a Profile,
+    order: &'a [usize],
     linear: &'a [f64],
     x: Vec<f64>,
     gradient: Vec<f64>,
@@ -39,8 +40,7 @@ pub(super) fn free_set(qp: &Explicit) -> FreeSet {
     if ended {
         return free;
     }
-    let mut minimum = qp.linear();
-    qp.factor().solve(&mut minimum);
+    let minimum = qp.solve(&qp.linear());
     let (other, ended) = free_from(qp, minimum.iter().fold(x, |most, x| most.max(x.abs())));
     if ended { other } else { free }
 }
@@ -48,7 +48,8 @@ pub(super) fn free_set(qp: &Explicit) -> FreeSet {
 /// The same from one size for all variables, and whether steps ended.
 fn free_from(qp: &Explicit, x: f64) -> (FreeSet, bool) {
     let (n, gradient, linear) = (qp.dimension(), qp.sizes().gradient, qp.linear());
-    let mut point = Interior { matrix: qp.profile(), linear: &linear, x: vec![x; n], gradient: vec![gradient; n] };
+    let (matrix, order) = (qp.profile(), qp.order());
+    let mut point = Interior { matrix, order, linear: &linear, x: vec![x; n], gradient: vec![gradient; n] };
     let mut free = FreeSet::all(n);
     let mut last = f64::INFINITY;
     for _ in 0..STEPS {
@@ -93,15 +94,15 @@ impl Interior<'_> {
 
     /// Towards pairs whose products are all the same, smaller number: `g dx + x dg = σμ − x g − dx dg`, `A dx − dg = −rest`.
     fn step(&self, rest: &[f64], mean: f64) -> Result<Step, NotPositiveDefinite> {
-        let mut shifted = self.matrix.clone();
-        shifted.add_to_diagonal(self.gradient.iter().zip(&self.x).map(|(g, x)| g / x));
+        let mut shifted = self.matrix.part(self.order, 0.0);
+        shifted.add_to_diagonal(self.order.iter().map(|i| self.gradient[*i] / self.x[*i]));
         let factor = shifted.cholesky()?;
         let towards = |product: f64, before: Option<&Step>| {
             let second = |i: usize| before.map_or(0.0, |step| step.x[i] * step.gradient[i]);
             let pairs = self.x.iter().zip(&self.gradient).enumerate();
             let right: Vec<f64> = pairs.map(|(i, (x, g))| product - x * g - second(i)).collect();
-            let mut x: Vec<f64> = (0..right.len()).map(|i| right[i] / self.x[i] - rest[i]).collect();
-            factor.solve(&mut x);
+            let towards: Vec<f64> = (0..right.len()).map(|i| right[i] / self.x[i] - rest[i]).collect();
+            let x = solved_in(self.order, &factor, &towards);
             let gradient: Vec<f64> =
                 (0..right.len()).map(|i| (right[i] - self.gradient[i] * x[i]) / self.x[i]).collect();
             let border = |from: &[f64], step: &[f64]| {

@@ -12,7 +12,7 @@ use super::{FileError, Found, ReadProblem, Source};
 use crate::body::matrix_market::{Reader, Wrong};
 use crate::body::proof::Brought;
 use crate::body::{Body, BodyProblem, Kind};
-use crate::qp::{Profile, Qp as _};
+use crate::qp::{Explicit, Profile};
 use crate::scene::Scene;
 
 /// Who reads the files that a scene file names, as they are written there.
@@ -43,7 +43,7 @@ pub enum Model {
 }
 
 const FILE: &[&str] = &["title", "units", "body", "beam", "load", "foundation"];
-const BODY: &[&str] = &["stiffness", "flexibility", "gap", "load", "foundation"];
+const BODY: &[&str] = &["stiffness", "flexibility", "sum_duplicates", "gap", "load", "foundation"];
 
 pub(super) fn read(
     source: Source<'_>,
@@ -64,7 +64,8 @@ pub(super) fn read(
         (None, Some(given)) => (Kind::Flexibility, "flexibility", given),
         _ => return Err(source.error(body.span(), BodyProblem::OneMatrix.into())),
     };
-    let mut files = Files { source, beside };
+    let sums_duplicates = body.truth("sum_duplicates").map_err(at)?.unwrap_or(false);
+    let mut files = Files { source, sums_duplicates, beside };
     let matrix = files.matrix(key, &given)?;
     let n = matrix.dimension();
     let foundation = match body.get("foundation") {
@@ -83,9 +84,6 @@ pub(super) fn read(
         (BodyProblem::Sizes { .. }, Some((_, value))) => wrong(value, problem),
         _ => wrong(&given, problem),
     })?;
-    if !body.program().linear().iter().all(|b| b.is_finite()) {
-        return Err(wrong(&given, BodyProblem::Range));
-    }
     (body.title, body.units) = (title, units);
     Ok(body)
 }
@@ -93,6 +91,7 @@ pub(super) fn read(
 /// The files of a body.
 struct Files<'a> {
     source: Source<'a>,
+    sums_duplicates: bool,
     beside: &'a mut dyn Beside,
 }
 
@@ -107,7 +106,7 @@ impl Files<'_> {
         let path = value.line_of_text().map_err(|error| self.source.error(error.span, error.problem))?;
         let name = named_beside(self.source.name, &path);
         let at = |w: Wrong| Box::new(FileError::on_line(&name, w.line, &w.text, w.marked, w.problem.into()));
-        let (mut reader, mut found) = (Reader::default(), None);
+        let (mut reader, mut found) = (Reader::new(self.sums_duplicates), None);
         let read = self.beside.lines(&path, &mut |line| match reader.line(line) {
             Ok(()) => ControlFlow::Continue(()),
             Err(wrong) => {
@@ -117,8 +116,8 @@ impl Files<'_> {
         });
         read.map_err(|problem| self.unreadable(key, &path, value, problem))?;
         let matrix = found.map_or_else(|| reader.end(), Err).map_err(at)?;
-        match matrix.clone().cholesky() {
-            Ok(_) => Ok(matrix),
+        match Explicit::factored([matrix, Profile::default()]) {
+            Ok(program) => Ok(program.profile().clone()),
             Err(error) => Err(Box::new(FileError::whole(&name, BodyProblem::from(error).into()))),
         }
     }
@@ -133,12 +132,18 @@ impl Files<'_> {
     ) -> Result<Vec<f64>, Box<FileError>> {
         let path = value.line_of_text().map_err(|error| self.source.error(error.span, error.problem))?;
         let text = self.beside.text(&path).map_err(|problem| self.unreadable(key, &path, value, problem))?;
-        column(&Survey::new(named_beside(self.source.name, &path), text), &[quantity], n).map(|(_, values)| values)
+        let file = Survey::new(named_beside(self.source.name, &path), text);
+        column(&file, &[quantity], &vec![0.0; n]).map(|(_, values)| values)
     }
 }
 
-/// Numbers `i,quantity` of n freedoms, `i` from 1, zero for those that are not listed; and which of some quantities they are.
-fn column(file: &Survey, quantities: &[&'static str], n: usize) -> Result<(usize, Vec<f64>), Box<FileError>> {
+/// Quantities that are infinite where there is no ground.
+const WITHOUT_END: [&str; 2] = ["gap", "clearance"];
+
+/// Numbers `i,quantity` of all freedoms, `i` from 1, and which of some quantities they are; those that are not listed are as `left_out`
+/// has them, or zero where that is not finite and the quantity must be.
+fn column(file: &Survey, quantities: &[&'static str], left_out: &[f64]) -> Result<(usize, Vec<f64>), Box<FileError>> {
+    let n = left_out.len();
     let (layout, mut rows) = (file.layout(), file.rows());
     let (header, span) = rows.next().unwrap_or(("", 0..0));
     let names: Vec<&str> = layout.fields(header, span.start).map(|(name, _)| name).collect();
@@ -157,12 +162,19 @@ fn column(file: &Survey, quantities: &[&'static str], n: usize) -> Result<(usize
             let (expected, found) = (format!("a whole number from 1 to {n}"), Found::of(i));
             return Err(file.error(place, BodyProblem::Number { quantity: "i", expected, found }.into()));
         };
-        let value = file.number(&layout, quantities[which], value)?;
+        let at_value = value.1.clone();
+        let without_end = WITHOUT_END.contains(&quantities[which]) && value.0.eq_ignore_ascii_case("inf");
+        let value = if without_end { f64::INFINITY } else { file.number(&layout, quantities[which], value)? };
+        if quantities[which] == "clearance" && value.is_finite() && !left_out[index - 1].is_finite() {
+            let (expected, found) = ("inf, as the gap of this freedom is".to_owned(), Found::of(&value.to_string()));
+            return Err(file.error(at_value, BodyProblem::Number { quantity: "clearance", expected, found }.into()));
+        }
         if values[index - 1].replace(value).is_some() {
             return Err(file.error(place, BodyProblem::RowTwice(index).into()));
         }
     }
-    Ok((which, values.into_iter().map(|value| value.unwrap_or(0.0)).collect()))
+    let or_else = |left_out: f64| if WITHOUT_END.contains(&quantities[which]) { left_out } else { 0.0 };
+    Ok((which, values.into_iter().zip(left_out).map(|(value, left_out)| value.unwrap_or(or_else(*left_out))).collect()))
 }
 
 /// Reads what a program brought for a body: `i,force` or `i,clearance`.
@@ -172,6 +184,7 @@ fn column(file: &Survey, quantities: &[&'static str], n: usize) -> Result<(usize
 /// Text that is not such a file, with line and column.
 pub fn parse_answers(name: &str, text: &str, body: &Body) -> Result<Brought, Box<FileError>> {
     let file = Survey::new(name.to_owned(), text.to_owned());
-    let (which, values) = column(&file, &["force", "clearance"], body.program().dimension())?;
+    let left_out: Vec<f64> = body.gap().iter().map(|gap| if gap.is_finite() { 0.0 } else { *gap }).collect();
+    let (which, values) = column(&file, &["force", "clearance"], &left_out)?;
     Ok(if which == 0 { Brought::Force(values) } else { Brought::Clearance(values) })
 }

@@ -29,9 +29,8 @@ fn five_thousand_freedoms_are_solved_and_proven() {
         assert!(proof.error <= PROVEN, "{n}: {:.1e}", proof.error);
         let Off { least, most, .. } = proof.off(&clearance);
         assert!(least == 0.0 && most <= 2.0 * PROVEN, "{n}: the answer is the optimum, {least:.1e} {most:.1e}");
-        assert!(proof.force_off(&contact_force)[0] == 0.0, "{n}: and so are its forces");
-        let [found, _] = body.clearance_and_force(&answer);
-        let verdict = Verdict::new(Ok(proof.off(found)), EXACT, true);
+        assert!(proof.force_off(&contact_force).least == 0.0, "{n}: and so are its forces");
+        let verdict = Verdict::new(Ok(proof.errors(&body, &answer)), EXACT, true);
         assert_eq!(verdict.status, Status::Certified, "{n}: {}", verdict.reason);
         // J = ½ hᵀ K h + qᵀ h, as all gaps are zero: K is −1, 3, −3, 1 about the step, and 1, −3 at the end.
         assert!(proof.energy[0] <= -2.0 && -2.0 <= proof.energy[1], "{n}: {:?}", proof.energy);
@@ -56,7 +55,7 @@ fn narrow_bands_are_solved_at_once_and_proven() {
         let (answer, proof) = solved(&body);
         let solves = answer.run.iterations;
         assert!(answer.run.reports_success && solves <= 3, "{n}, {condition:e}: {solves} solves");
-        assert!(proof.error <= PROVEN * proof.size, "{n}, {condition:e}: {:.1e} of {:.1e}", proof.error, proof.size);
+        assert!(proof.error <= PROVEN * proof.sizes.clearance, "{n}, {condition:e}: {:.1e} of {:?}", proof.error, proof.sizes);
     }
 }
 
@@ -95,12 +94,13 @@ fn wrong_answers_are_refused() {
             };
         }
         let off = apart(&wrong, &clearance);
-        let (_, found) = proof.judge(&body, &Brought::Clearance(wrong.clone())).expect("definite");
+        let (_, errors) = proof.judge(&body, &Brought::Clearance(wrong.clone())).expect("definite");
+        let found = errors.clearance;
         assert!(
             found.least <= off && off <= found.most && found.most - found.least <= 1e-12,
             "{k}: {off} in {found:?}"
         );
-        let verdict = Verdict::new(Ok(found), EXACT, true);
+        let verdict = Verdict::new(Ok(errors), EXACT, true);
         assert_eq!(verdict.status, Status::NotCertified, "{k}: {}", verdict.reason);
     }
 }
@@ -117,7 +117,7 @@ fn an_answer_of_a_library_that_is_off_is_refused() {
     let residual = palkki::qp::residual(body.program().sizes(), &answer.x, &answer.gradient);
     assert!(residual < 1e-11 && 1e-3 < off, "residual {residual:.1e}, off by {off:.1e}");
     assert!(found.least <= off && off <= found.most, "{off} in {found:?}");
-    assert_eq!(Verdict::new(Ok(found), EXACT, true).status, Status::NotCertified);
+    assert_eq!(Verdict::new(Ok(proof.errors(&body, &answer)), EXACT, true).status, Status::NotCertified);
 }
 
 /// Two springs in a row above ground that gives as well, each by one under a unit force: the closed form of a pair.

@@ -8,7 +8,7 @@ use palkki::scene::file::{Beside, Model, ReadProblem, parse_answers, parse_model
 use crate::support::assert_text;
 
 /// The files beside the scene, by their names.
-struct Files<'a>(&'a [(&'a str, &'a str)]);
+pub(super) struct Files<'a>(pub(super) &'a [(&'a str, &'a str)]);
 
 impl Beside for Files<'_> {
     fn text(&mut self, path: &str) -> Result<String, ReadProblem> {
@@ -87,6 +87,15 @@ const MATRICES: &[(&str, &str)] = &[
         "array real general\n2 2\n2\n-1\n1\n2\n",
     ),
     ("1 1 2.0", "1 1 1e308"),
+    (MATRIX, "1 1 2.0 4\n"),
+    (MATRIX, "1 1\n"),
+    (MATRIX, "1 1 2.0\n2 2 two\n"),
+    (MATRIX, "0 0 2.0\n"),
+    (MATRIX, "1 1 2.0\n5 5 2.0\n"),
+    (MATRIX, "1 1 2.0\n2 2 2.0\n2 1 -1\n1 2 -1.5\n"),
+    (MATRIX, "1 1 2.0\n2 2 2.0\n1 1 1.0\n"),
+    (MATRIX, "1,1, 1,1, 2.0\n1,1, 2,1\n"),
+    (MATRIX, "1,1, 1,1, 2.0\n1,1.5, 2,1, 1.0\n"),
 ];
 
 /// Gaps, and answers of other programs.
@@ -97,7 +106,7 @@ const TABLES: &[&str] = &[
     "i,gap\n1\n",
     "i,gap\n0,0.5\n",
     "i,gap\n1.0,0.5\n",
-    "i,gap\n1,inf\n",
+    "i,gap\n1,-inf\n",
     "i,gap\n1,1\n2,1\n1,1\n",
 ];
 

@@ -16,8 +16,8 @@ fn solved(slab: &Slab, load: f64, gap: impl Fn(f64, f64) -> f64) -> ([Vec<f64>; 
     let answer = body.run(Solver::ActiveSet, 0.0);
     let proof = prove(&body, answer.x.iter().map(|x| 0.0 < *x)).expect("well conditioned");
     let state = body.clearance_and_force(&answer);
-    let verdict = Verdict::new(Ok(proof.off(state[0])), EXACT, answer.run.reports_success);
-    (state.map(<[f64]>::to_vec), verdict)
+    let verdict = Verdict::new(Ok(proof.errors(&body, &answer)), EXACT, answer.run.reports_success);
+    (state, verdict)
 }
 
 /// The ground has settled along y, and has a crest across: proven, and pressed where the ground is high.
@@ -28,7 +28,7 @@ fn a_slab_on_settled_ground_with_a_crest_is_proven() {
     let ([clearance, contact_force], verdict) = solved(&slab, 1.0, ground);
     assert_eq!(clearance.len(), 400);
     assert_eq!(verdict.status, Status::Certified, "{}", verdict.reason);
-    assert!(verdict.off.share < 1e-13, "{}", verdict.reason);
+    assert!(verdict.errors.clearance.share < 1e-13, "{}", verdict.reason);
     // The settled half carries less.
     let halves = slab.nodes().iter().zip(&contact_force).fold([0.0, 0.0], |mut halves, ([_, y, _], force)| {
         halves[usize::from(4.0 < *y)] += force;

@@ -10,7 +10,7 @@ use serde_json::Value;
 use super::Folder;
 
 /// Numbers of a list.
-fn numbers(list: &Value) -> Vec<f64> {
+pub(super) fn numbers(list: &Value) -> Vec<f64> {
     list.as_array().into_iter().flatten().filter_map(Value::as_f64).collect()
 }
 
@@ -71,7 +71,7 @@ fn a_sparse_form_is_whole() {
     assert!(read("A.mtx").lines().nth(1).is_some_and(|line| line.starts_with("14 14 ")));
     let lines = |name: &str| read(name).lines().count();
     assert_eq!([lines("q.csv"), lines("bounds.csv"), lines("names.csv")], [15; 3]);
-    assert!(read("names.csv").contains("1,moment at x = 1.25 in a unit of its own\n"));
+    assert!(read("names.csv").starts_with("i,what\n1,moment at x = 1.25 in units of "));
     assert!(read("bounds.csv").ends_with("14,0.0,inf\n"));
 }
 

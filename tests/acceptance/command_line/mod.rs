@@ -1,6 +1,7 @@
 //! The program as it is run: exit codes, standard output, files, JSON. The contract is what scripts rely on.
 
 mod body;
+mod body_forms;
 mod certify;
 mod compare;
 mod exact;

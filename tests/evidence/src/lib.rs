@@ -23,6 +23,7 @@ pub mod elements;
 pub mod exchanges;
 pub mod extremes;
 pub mod faults;
+pub mod few;
 pub mod hostile;
 pub mod libraries;
 pub mod numdiff;

@@ -145,7 +145,7 @@ fn solved(body: &Body) -> Vec<f64> {
     let answer = body.run(Solver::ActiveSet, 0.0);
     let proof = prove(body, answer.x.iter().map(|x| 0.0 < *x)).expect("well conditioned");
     let [clearance, _] = body.clearance_and_force(&answer);
-    let off = proof.off(clearance).most;
-    assert!(off <= 2.0 * f64::EPSILON * proof.size, "off by up to {off:e}");
-    clearance.to_vec()
+    let off = proof.off(&clearance).most;
+    assert!(off <= 2.0 * f64::EPSILON * proof.sizes.clearance, "off by up to {off:e}");
+    clearance
 }

@@ -63,7 +63,8 @@ struct Run {
 impl Run {
     fn new(body: &Body, proof: &Proof, solver: Solver, asked: f64) -> Self {
         let answer = body.run(solver, asked);
-        let clearance = body.clearance_and_force(&answer)[0].to_vec();
+        let errors = proof.errors(body, &answer);
+        let [clearance, _] = body.clearance_and_force(&answer);
         let off = proof.off(&clearance);
         Self {
             solver,
@@ -73,8 +74,8 @@ impl Run {
             says_solved: answer.run.reports_success,
             clearance,
             off,
-            size: proof.size,
-            certified: Verdict::new(Ok(off), EXACT, true).status == Status::Certified,
+            size: proof.sizes.clearance,
+            certified: Verdict::new(Ok(errors), EXACT, true).status == Status::Certified,
         }
     }
 
@@ -123,7 +124,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     for (name, body) in &cases {
         let proof = proven(body).ok_or_else(|| format!("nothing is proven of {name}"))?;
         let n = body.program().dimension();
-        errors.push(proof.error / proof.size);
+        errors.push(proof.error / proof.sizes.clearance);
         let largest_row = if name == FIVE_DIAGONALS { ROW } else { 0.0 };
         condition = condition.max(largest_row / proof.least_eigenvalue);
         for (solver, asked, _) in TRIED.into_iter().filter(|(_, _, most)| n <= *most) {
@@ -235,7 +236,7 @@ fn slabs(study: &Study<'_>) -> Result<(Drawn, bool), Cause> {
         let [clearance, contact_force] = body.clearance_and_force(&answer);
         let mut cells = Vec::new();
         let nodes = (0_u32..).zip(&xs).flat_map(|(i, x)| (0_u32..).zip(&ys).map(move |(j, y)| ([i, j], [x, y])));
-        for (([i, j], [x, y]), (h, p)) in nodes.zip(clearance.iter().zip(contact_force)) {
+        for (([i, j], [x, y]), (h, p)) in nodes.zip(clearance.iter().zip(&contact_force)) {
             let touches = 0.0 < *p;
             highest &= !touches || laid.gap(*x, *y) <= Laid::HIGHEST;
             let text = if touches { fixed(*p, 0) } else { fixed(MILLIMETRES * h, 0) };

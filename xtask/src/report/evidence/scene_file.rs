@@ -69,7 +69,7 @@ fn file(line: &str) -> String {
         "beam.length" => &[STIFFNESS],
         "beam.bending_stiffness" => &[LENGTH],
         "foundation.stiffness" => &[LENGTH, STIFFNESS, "foundation.depth = 1.0"],
-        "body.gap" | "body.load" => &["body.stiffness = \"K.mtx\""],
+        "body.gap" | "body.load" | "body.sum_duplicates" => &["body.stiffness = \"K.mtx\""],
         "body.foundation" => &["body.flexibility = \"C.mtx\""],
         key if key.starts_with("body.") => &[],
         _ => &[LENGTH, STIFFNESS],

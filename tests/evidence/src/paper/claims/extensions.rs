@@ -60,8 +60,8 @@ fn two_beams() -> f64 {
     let Known { body, clearance, contact_force } = bodies::two_beams(INTERVALS);
     let answer = body.run(Solver::ActiveSet, 0.0);
     let [found, forces] = body.clearance_and_force(&answer);
-    let force = apart(forces, &contact_force) / contact_force.iter().sum::<f64>();
-    force.max(apart(found, &clearance) / largest(clearance))
+    let force = apart(&forces, &contact_force) / contact_force.iter().sum::<f64>();
+    force.max(apart(&found, &clearance) / largest(clearance))
 }
 
 /// A body that is no beam, the strip of a slab, and a foundation that is another body.
