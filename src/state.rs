@@ -265,14 +265,21 @@ impl ContactState {
     /// have a force.
     #[must_use]
     pub fn touched(&self) -> Vec<Contact> {
-        self.with_bearings(&self.contacts)
+        let pushing = self.supports.iter().filter(|support| support.pushes_only && 0.0 < support.force);
+        let mut all = self.contacts.clone();
+        all.extend(pushing.map(|support| Contact::at(support.at, support.force)));
+        all.sort_by(|a, b| a.from.total_cmp(&b.from));
+        all
     }
 
-    /// These contacts, and the supports that only push and have a force, from left to right.
-    pub(crate) fn with_bearings(&self, contacts: &[Contact]) -> Vec<Contact> {
-        let pushing = self.supports.iter().filter(|support| support.pushes_only && 0.0 < support.force);
-        let mut all = contacts.to_vec();
-        all.extend(pushing.map(|support| Contact::at(support.at, support.force)));
+    /// The places of the same, and the stretches on which the beam lies without pressing as well: the contacts from which a certificate
+    /// is proven.
+    pub(crate) fn places(&self) -> Vec<Contact> {
+        let stretches: Vec<&Touch> = self.touches.iter().filter(|touch| touch.from < touch.to).collect();
+        let is_inside = |c: &Contact| stretches.iter().any(|touch| touch.from <= c.from && c.to <= touch.to);
+        let mut all: Vec<Contact> = self.touched().into_iter().filter(|contact| !is_inside(contact)).collect();
+        let lying = |touch: &&Touch| Contact { from: touch.from, to: touch.to, force: 0.0, end_forces: Some([0.0; 2]) };
+        all.extend(stretches.iter().map(lying));
         all.sort_by(|a, b| a.from.total_cmp(&b.from));
         all
     }

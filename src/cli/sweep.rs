@@ -24,6 +24,9 @@ const SHOWN: usize = 41;
 /// Digits of the value of an event.
 const DIGITS: usize = 12;
 
+/// Digits of a value from which on there are answers.
+const DIGITS_OF_BORDER: usize = 6;
+
 /// What a sweep came to.
 pub(super) struct Swept {
     quantity: Quantity,
@@ -80,9 +83,11 @@ impl Gaps {
 
     /// In words; none without a value that has no answer.
     fn reason(&self) -> Option<String> {
-        let until = self.until.map_or_else(String::new, |value| format!("; there are answers from {value} on"));
+        let from = |value: f64| format!("; there are answers from {} on", significant(value + 0.0, DIGITS_OF_BORDER));
+        let until = self.until.map_or_else(String::new, from);
         let more = match self.count {
             0 | 1 => String::new(),
+            2 => ", but for 1 more stretch of values".to_owned(),
             count => format!(", but for {} more stretches of values", count - 1),
         };
         Some(format!("{}{until}{more}", self.first.as_ref()?))
@@ -118,7 +123,9 @@ impl Swept {
                 Err(error) => gaps.add(value, error),
             }
         }
-        if let (true, Some(error)) = (rows.is_empty(), gaps.first.take()) {
+        if rows.is_empty()
+            && let Some(error) = gaps.first
+        {
             return Err(error.into());
         }
         // What the rows have left.

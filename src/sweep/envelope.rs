@@ -133,4 +133,3 @@ impl<'a> Gathered<'a> {
         (Some(envelope), enough)
     }
 }
-

@@ -38,6 +38,7 @@ mod settle;
 
 use crate::route::Solution;
 use crate::scene::{PathError, Quantity, Scene, SceneError};
+use crate::text::significant;
 use crate::theory::{self, Exact, Pattern, TheoryError};
 use crate::verdict::Demand;
 
@@ -100,7 +101,13 @@ pub enum SweepError {
 }
 
 fn from(border: f64, value: f64) -> String {
-    if border.total_cmp(&value).is_eq() { String::new() } else { format!(", and none from {border} on") }
+    /// Digits of the border.
+    const DIGITS: usize = 6;
+    if border.total_cmp(&value).is_eq() {
+        return String::new();
+    }
+    // Adding zero turns a −0.0 into 0.0.
+    format!(", and none from {} on", significant(border + 0.0, DIGITS))
 }
 
 /// A scene, the number of it that is varied, and its values.

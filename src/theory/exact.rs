@@ -228,11 +228,6 @@ impl Exact {
         self.list.nodes.iter().filter_map(held).collect()
     }
 
-    /// The contacts of its list, and the supports that only push and have a force: the witness of a certificate.
-    pub(crate) fn witness(&self) -> Vec<Contact> {
-        self.state.with_bearings(&self.listed)
-    }
-
     /// Of ground that gives, the stretches of the beam in the units of [`Scene::scaled`](crate::scene::Scene::scaled): the witness of a
     /// certificate.
     #[must_use]

@@ -221,7 +221,8 @@ impl Exact {
                 None => ContactKind::Point(shape(from)),
             }
         };
-        let is_whole = |ends: &[[f64; 2]]| matches!(ends, [[lo, hi]] if end(*lo).is_some() && end(*hi).is_some() && lo < hi);
+        let is_whole =
+            |ends: &[[f64; 2]]| matches!(ends, [[lo, hi]] if end(*lo).is_some() && end(*hi).is_some() && lo < hi);
         if is_whole(&pieces) {
             return vec![(kind([from, to]), contact)];
         }

@@ -34,7 +34,8 @@ impl Exact {
         if !given.has_obstacle() {
             return Vec::new();
         }
-        let mut found = Lying { given, nothing, taylor: vec![0.0; given.terms], stretches: Vec::new(), places: Vec::new() };
+        let mut found =
+            Lying { given, nothing, taylor: vec![0.0; given.terms], stretches: Vec::new(), places: Vec::new() };
         for piece in self.pieces.iter().filter(|_| given.founded) {
             for part in piece.parts(given).filter(|part| is_idle(given, part.cell)) {
                 found.add(&part);

@@ -16,6 +16,7 @@ mod random;
 mod springs;
 mod supports;
 mod surveys;
+mod touching;
 
 use palkki::scene::Scene;
 use palkki::theory::{Exact, solve};
