@@ -217,8 +217,7 @@ fn by_route(scene: &Scene, settings: &Settings, start: Start<'_>) -> Result<Solu
         (nodal, motion) = (nearest, free);
     }
     let mut state = methods::contact_state(discrete, nodal);
-    state.standing =
-        scaled.balance.resultant().map(|resultant| Standing::of(resultant, &state.supports, &state.contacts, motion));
+    state.standing = scaled.balance.resultant().map(|resultant| Standing::of(&state, resultant, motion));
 
     let residual = Kkt::of(&scaled.scene, &state).map_or(f64::INFINITY, |kkt| kkt.residual());
     let state = state.in_units_of(&scaled.scale);

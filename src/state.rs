@@ -46,8 +46,8 @@ pub(crate) fn larger_moment([left, right]: [f64; 2]) -> f64 {
 pub struct Standing {
     /// The resultant of its loads.
     pub resultant: Resultant,
-    /// Safety against overturning: the distance of the resultant from the nearer one of the two outermost places that carry the
-    /// beam, supports included, as a share of the distance of these two: from 0 to 0.5. Zero if there is only one place, not a number
+    /// Safety against overturning: the distance of the resultant from the nearer one of the two outermost places that carry or touch
+    /// the beam, supports included, as a share of the distance of these two: from 0 to 0.5. Zero if there is only one place, not a number
     /// if there is none, or if a support holds the beam down and the resultant lies beyond both.
     pub margin: f64,
     /// The positions that are left, if there is more than one.
@@ -138,6 +138,28 @@ impl Contact {
     pub fn at(x: f64, force: f64) -> Self {
         Self { from: x, to: x, force, end_forces: None }
     }
+
+    /// A dimensionless contact in the units of its scene, forces being so many times what they are here.
+    pub(crate) fn in_units(self, scale: &Scale, times: f64) -> Self {
+        let force = |force: f64| force * times * scale.force;
+        Self {
+            from: self.from * scale.length,
+            to: self.to * scale.length,
+            force: force(self.force),
+            end_forces: self.end_forces.map(|ends| ends.map(force)),
+        }
+    }
+}
+
+/// A stretch, or a single point (`from == to`), over which the beam lies on the foundation, or on a support that only pushes, without a
+/// force between them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Touch {
+    /// Left end \[length\].
+    pub from: f64,
+    /// Right end \[length\].
+    pub to: f64,
 }
 
 /// The largest pressure of ground that gives.
@@ -192,8 +214,10 @@ pub struct ContactState {
     pub supports: Vec<SupportForce>,
     /// How the beam stands, if its supports do not hold it.
     pub standing: Option<Standing>,
-    /// Where it touches, from left to right.
+    /// Where the foundation presses against it, from left to right.
     pub contacts: Vec<Contact>,
+    /// Where it lies on the rigid foundation without pressing, from left to right; beam theory alone knows.
+    pub touches: Vec<Touch>,
     /// Deflection, positive downwards \[length\].
     pub deflection: Extremes,
     /// Bending moment, positive with the underside in tension \[force · length\].
@@ -207,13 +231,14 @@ pub struct ContactState {
 }
 
 impl Standing {
-    /// How a beam stands on these supports and contacts.
+    /// How a beam in this state stands, with the resultant of its loads.
     #[must_use]
-    pub fn of(resultant: Resultant, supports: &[SupportForce], contacts: &[Contact], motion: Option<Motion>) -> Self {
+    pub fn of(state: &ContactState, resultant: Resultant, motion: Option<Motion>) -> Self {
         /// The digits that the place of a contact has.
         const ROUNDING: f64 = 1e-12;
-        let carries = supports.iter().filter(|s| !s.pushes_only || 0.0 < s.force);
-        let places = carries.map(|s| [s.at; 2]).chain(contacts.iter().map(|c| [c.from, c.to]));
+        let carries = state.supports.iter().filter(|s| !s.pushes_only || 0.0 < s.force);
+        let places = carries.map(|s| [s.at; 2]).chain(state.contacts.iter().map(|c| [c.from, c.to]));
+        let places = places.chain(state.touches.iter().map(|t| [t.from, t.to]));
         let [left, right] = places
             .fold([f64::INFINITY, f64::NEG_INFINITY], |[left, right], [from, to]| [left.min(from), right.max(to)]);
         let nearer = (resultant.at - left).min(right - resultant.at);
@@ -247,6 +272,18 @@ impl ContactState {
         all
     }
 
+    /// The places of the same, and the stretches on which the beam lies without pressing as well: the contacts from which a certificate
+    /// is proven.
+    pub(crate) fn places(&self) -> Vec<Contact> {
+        let stretches: Vec<&Touch> = self.touches.iter().filter(|touch| touch.from < touch.to).collect();
+        let is_inside = |c: &Contact| stretches.iter().any(|touch| touch.from <= c.from && c.to <= touch.to);
+        let mut all: Vec<Contact> = self.touched().into_iter().filter(|contact| !is_inside(contact)).collect();
+        let lying = |touch: &&Touch| Contact { from: touch.from, to: touch.to, force: 0.0, end_forces: Some([0.0; 2]) };
+        all.extend(stretches.iter().map(lying));
+        all.sort_by(|a, b| a.from.total_cmp(&b.from));
+        all
+    }
+
     /// Resultant of all contacts with the ground, upwards \[force\].
     #[must_use]
     pub fn contact_force(&self) -> f64 {
@@ -262,12 +299,6 @@ impl ContactState {
             1.0 => values,
             _ => values.into_iter().map(|v| v * unit).collect(),
         };
-        let contact = |c: Contact| Contact {
-            from: c.from * length,
-            to: c.to * length,
-            force: c.force * force,
-            end_forces: c.end_forces.map(|ends| ends.map(|f| f * force)),
-        };
         let support = |s: SupportForce| SupportForce {
             at: s.at * length,
             force: s.force * force,
@@ -280,7 +311,8 @@ impl ContactState {
             reactions: Reactions { left: self.reactions.left * force, right: self.reactions.right * force },
             supports: self.supports.into_iter().map(support).collect(),
             standing: self.standing.map(|standing| standing.in_units_of(scale)),
-            contacts: self.contacts.into_iter().map(contact).collect(),
+            contacts: self.contacts.into_iter().map(|contact| contact.in_units(scale, 1.0)).collect(),
+            touches: self.touches.into_iter().map(|t| Touch { from: t.from * length, to: t.to * length }).collect(),
             deflection: self.deflection.in_units(depth, length),
             moment: self.moment.in_units(scale.moment(), length),
             energy: self.energy * scale.energy(),

@@ -6,7 +6,7 @@
 use palkki::adaptive::{End, Trial};
 use palkki::certificate::{Certificate, Violation};
 use palkki::route::Status;
-use palkki::state::{Contact, Extremes, Nodes, Pressure, Regime, Standing, SupportForce};
+use palkki::state::{Contact, Extremes, Nodes, Pressure, Regime, Standing, SupportForce, Touch};
 use palkki::sweep::{Envelope, Event};
 use serde::Serialize;
 
@@ -169,6 +169,9 @@ struct RouteObject<'a> {
     #[serde(flatten)]
     standing: Option<Standing>,
     contacts: Vec<ContactObject>,
+    /// Only where the beam lies on the foundation without pressing.
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    touches: &'a [Touch],
     contact_force: f64,
     deflection: DeflectionObject,
     moment: Extremes,
@@ -201,6 +204,7 @@ impl<'a> From<&'a Answer> for RouteObject<'a> {
             supports: &state.supports,
             standing: state.standing,
             contacts: state.contacts.iter().map(ContactObject::from).collect(),
+            touches: &state.touches,
             contact_force: state.contact_force(),
             deflection: (&state.deflection).into(),
             moment: state.moment,

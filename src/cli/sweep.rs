@@ -6,7 +6,7 @@ use palkki::plot;
 use palkki::route::Status;
 use palkki::scene::{Beam, Quantity};
 use palkki::state::Contact;
-use palkki::sweep::{Envelope, Event, Events, Governing, MOST_WORK, Moment, SupportEnvelope, Sweep};
+use palkki::sweep::{Envelope, Event, Events, Governing, MOST_WORK, Moment, SupportEnvelope, Sweep, SweepError, Walk};
 use palkki::text::{magnitude, significant};
 
 use super::answer::Answer;
@@ -24,6 +24,9 @@ const SHOWN: usize = 41;
 /// Digits of the value of an event.
 const DIGITS: usize = 12;
 
+/// Digits of a value from which on there are answers.
+const DIGITS_OF_BORDER: usize = 6;
+
 /// What a sweep came to.
 pub(super) struct Swept {
     quantity: Quantity,
@@ -38,7 +41,7 @@ pub(super) struct Swept {
     seconds: [f64; 2],
 }
 
-/// A sweep that takes more work than one may, or comes to a value without an answer: what there is of it.
+/// A sweep that takes more work than one may, or has values without an answer: what there is of it.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub(super) struct Stopped {
     /// Values with an answer.
@@ -51,17 +54,57 @@ pub(super) struct Stopped {
     reason: String,
 }
 
+/// Stretches of values without an answer.
+#[derive(Debug, Default)]
+struct Gaps {
+    /// Why the first value has none.
+    first: Option<SweepError>,
+    /// Where the first stretch ends, if it does.
+    until: Option<f64>,
+    /// The last value without an answer, if the one after it is not known to have one.
+    open: Option<f64>,
+    /// How many stretches there are.
+    count: usize,
+}
+
+impl Gaps {
+    fn add(&mut self, value: f64, error: SweepError) {
+        self.first.get_or_insert(error);
+        self.count += usize::from(self.open.is_none());
+        self.open = Some(value);
+    }
+
+    /// The next value has an answer.
+    fn end(&mut self, walk: &Walk<'_>, value: f64) {
+        if let Some(without) = self.open.take() {
+            self.until.get_or_insert_with(|| walk.border(value, without));
+        }
+    }
+
+    /// In words; none without a value that has no answer.
+    fn reason(&self) -> Option<String> {
+        let from = |value: f64| format!("; there are answers from {} on", significant(value + 0.0, DIGITS_OF_BORDER));
+        let until = self.until.map_or_else(String::new, from);
+        let more = match self.count {
+            0 | 1 => String::new(),
+            2 => ", but for 1 more stretch of values".to_owned(),
+            count => format!(", but for {} more stretches of values", count - 1),
+        };
+        Some(format!("{}{until}{more}", self.first.as_ref()?))
+    }
+}
+
 /// Why a sweep is stopped, and what to do.
 const REASON: &str =
     "the work that one sweep may take is done: a shorter range, fewer values or a simpler scene take less";
 
 impl Swept {
-    /// The answers of a sweep over a beam of this length, up to the first value that has none; an error if that is the first of all.
+    /// The answers of a sweep over a beam of this length, for all values that have one; an error if none has.
     pub(super) fn of(sweep: &Sweep<'_>, length: f64, envelope: bool) -> Result<Self, Failure> {
         let begin = Instant::now();
         let mut walk = sweep.walk();
         let (mut rows, mut times) = (Vec::new(), Vec::new());
-        let mut ended = None;
+        let mut gaps = Gaps::default();
         let mut gathered = envelope.then(|| sweep.gathered());
         for value in sweep.values() {
             if MOST_WORK < walk.work() {
@@ -70,18 +113,20 @@ impl Swept {
             let start = Instant::now();
             match walk.solve(value) {
                 Ok(step) => {
+                    gaps.end(&walk, value);
                     times.push(start.elapsed().as_secs_f64());
                     if let Some(gathered) = &mut gathered {
                         gathered.add(&step);
                     }
                     rows.push(walk.row(step));
                 }
-                Err(error) if rows.is_empty() => return Err(error.into()),
-                Err(error) => {
-                    ended = Some(error.to_string());
-                    break;
-                }
+                Err(error) => gaps.add(value, error),
             }
+        }
+        if rows.is_empty()
+            && let Some(error) = gaps.first
+        {
+            return Err(error.into());
         }
         // What the rows have left.
         let work = MOST_WORK.saturating_sub(walk.work());
@@ -94,7 +139,7 @@ impl Swept {
             rows: rows.len(),
             of,
             events_until: until,
-            reason: ended.unwrap_or_else(|| REASON.to_owned()),
+            reason: gaps.reason().unwrap_or_else(|| REASON.to_owned()),
         });
         let seconds = [solved, begin.elapsed().as_secs_f64() - solved];
         let rows = rows
@@ -135,7 +180,7 @@ impl Swept {
             None => self.paths.clone(),
         };
         let of = self.stopped.as_ref().map_or(self.rows.len(), |stopped| stopped.of);
-        let ended = if self.stopped.is_some() { " are certified, and the sweep was stopped" } else { "" };
+        let ended = if self.stopped.is_some() { " are certified, and the sweep is not whole" } else { "" };
         let mut text = heading(status, &format!("{certified} of {of} answers{ended}"), input);
         text += &list(&given(&input.scene, &labels));
         text.push('\n');
@@ -146,7 +191,7 @@ impl Swept {
         if let Some(Stopped { rows, of, events_until, reason }) = &self.stopped {
             let events =
                 events_until.map_or_else(String::new, |value| format!(", events up to {}", labels.number(value)));
-            text += &list(&[("stopped", format!("after {rows} of {of} values{events}; {reason}"))]);
+            text += &list(&[("stopped", format!("{rows} of {of} values have an answer{events}; {reason}"))]);
         }
         if self.events.is_empty() {
             text += "\nEvents: none found\n";

@@ -2,7 +2,7 @@
 
 use palkki::certificate::Certificate;
 use palkki::route::Status;
-use palkki::state::{Contact, Extremes, Motion, Nodes, Pressure, Standing, SupportForce};
+use palkki::state::{Contact, Extremes, Motion, Nodes, Pressure, Standing, SupportForce, Touch};
 use palkki::text::{magnitude, magnitude_at_most};
 
 use super::answer::{Answer, Grids};
@@ -88,6 +88,7 @@ pub(super) fn solve(input: &Input, answer: &Answer, nodes: bool) -> String {
     }
     text += &equilibrium(input, answer, &labels);
     text += &contacts(&answer.solution.state.contacts, &labels);
+    text += &touches(&answer.solution.state.touches, &labels);
     text += &extremes(answer, &labels);
     if let Some(certificate) = &answer.solution.verdict.certificate {
         text += &others(certificate, &labels);
@@ -166,7 +167,8 @@ fn equilibrium(input: &Input, answer: &Answer, labels: &Labels) -> String {
     let mut rows = vec![row("loads".to_owned(), labels.number(load), "down", none())];
     rows.extend(state.supports.iter().enumerate().take(MOST_ROWS).map(|(k, support)| {
         let known = certificate.and_then(|c| c.reactions.get(k).copied().flatten());
-        let lifted = if support.pushes_only && support.force <= 0.0 { ", lifted off" } else { "" };
+        let touches = state.touches.iter().any(|touch| touch.from <= support.at && support.at <= touch.to);
+        let lifted = if support.pushes_only && support.force <= 0.0 && !touches { ", lifted off" } else { "" };
         let name = named(support) + lifted;
         row(name, labels.number(support.force), "up", bracket(known, labels))
     }));
@@ -248,6 +250,20 @@ fn contacts(contacts: &[Contact], labels: &Labels) -> String {
         header.extend(at_ends.iter().map(String::as_str));
     }
     table("Contacts", &header, &rows)
+}
+
+/// One line that says where the beam lies without pressing.
+fn touches(touches: &[Touch], labels: &Labels) -> String {
+    if touches.is_empty() {
+        return String::new();
+    }
+    let place = |touch: &Touch| {
+        let [from, to] = [touch.from, touch.to].map(|x| labels.number(x));
+        if touch.from < touch.to { format!("from {from} to {to}") } else { format!("at {from}") }
+    };
+    let shown = touches.iter().take(MOST_ROWS).map(place).collect::<Vec<_>>().join(", ");
+    let more = if MOST_ROWS < touches.len() { ", and further places" } else { "" };
+    format!("Without pressing, the beam touches {shown}{more}\n")
 }
 
 fn extremes(answer: &Answer, labels: &Labels) -> String {

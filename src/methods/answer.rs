@@ -168,6 +168,7 @@ pub fn contact_state(mut discrete: Discrete, nodal: Nodal) -> ContactState {
         supports: forces,
         standing: None,
         contacts,
+        touches: Vec::new(),
         deflection,
         moment,
         energy,

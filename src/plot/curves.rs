@@ -304,6 +304,7 @@ mod tests {
             supports: Vec::new(),
             standing: None,
             contacts: contacts.iter().map(contact).collect(),
+            touches: Vec::new(),
             deflection: Extremes::default(),
             moment: Extremes::default(),
             energy: 0.0,

@@ -155,6 +155,7 @@ mod tests {
                 .into(),
             standing: None,
             contacts,
+            touches: Vec::new(),
             deflection: Extremes { max: 0.75, max_at: x[0], min: 0.0, min_at: 0.0 },
             moment: Extremes { max: 0.875, max_at: x[1], min: 0.0, min_at: 0.0 },
             energy: -1.0,

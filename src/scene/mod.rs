@@ -209,8 +209,13 @@ impl Scene {
             shape.depths(places, &mut own);
             gaps.iter_mut().zip(own).for_each(|(gap, own)| *gap -= own);
         }
-        for bearing in self.bearings() {
-            let is_here = |x: f64| is_same_place(x, bearing.at, self.beam.length());
+        let (Some(first), Some(last)) = (places.first(), places.last()) else { return };
+        let is_one = |x: f64, at: f64| is_same_place(x, at, self.beam.length());
+        let before = self.beam.bearings().partition_point(|bearing| bearing.at < *first && !is_one(*first, bearing.at));
+        let within =
+            self.bearings().skip(before).take_while(|bearing| bearing.at <= *last || is_one(*last, bearing.at));
+        for bearing in within {
+            let is_here = |x: f64| is_one(x, bearing.at);
             let next = places.partition_point(|&x| x < bearing.at);
             for i in [next.checked_sub(1), Some(next)].into_iter().flatten() {
                 if places.get(i).is_some_and(|&x| is_here(x)) {

@@ -137,6 +137,7 @@ impl Search<'_> {
             [beyond(0, start)].into_iter().chain((1..=PLACES).map(place)).chain([beyond(PLACES + 1, end)]).collect();
         let mut last: Option<At> = None;
         let mut first_without: Option<f64> = None;
+        let mut without = start;
         for value in places {
             let next = self.at(value, last.as_ref().as_slice());
             if self.is_spent() {
@@ -150,14 +151,14 @@ impl Search<'_> {
                     last = Some(farthest);
                 }
                 first_without.get_or_insert(value);
+                without = value;
                 continue;
             };
+            let near = first_without.map_or_else(|| next.clone(), |_| self.farthest(&next, without, |_| true));
             if let Some(last) = &last {
-                let near =
-                    first_without.map_or_else(|| next.clone(), |without| self.farthest(&next, without, |_| true));
                 self.interval(last, &near, rows, &mut roots);
-                self.interval(&near, &next, rows, &mut roots);
             }
+            self.interval(&near, &next, rows, &mut roots);
             if self.is_spent() {
                 return (roots, Some(last.map_or(start, |last| last.value)));
             }

@@ -33,6 +33,7 @@ mod describe;
 mod envelope;
 mod events;
 mod follow;
+mod govern;
 mod settle;
 
 use crate::route::Solution;
@@ -89,9 +90,9 @@ pub enum SweepError {
     Invalid {
         /// The number that is varied.
         quantity: Quantity,
-        /// The first value of the sweep without an answer.
+        /// A value of the sweep without an answer.
         value: f64,
-        /// Between the value before it and this one: where answers end.
+        /// Between the last value with an answer and this one: where answers end. This value itself where no value before it has an answer.
         border: f64,
         /// Why.
         error: TheoryError,
@@ -254,15 +255,8 @@ impl Walk<'_> {
     /// [`SweepError::Invalid`].
     pub fn solve(&mut self, value: f64) -> Result<Step, SweepError> {
         let near = self.last.as_ref().map(|(_, exact)| exact);
-        // Of several lists of contacts a row has the one that its scene has by itself, whatever the row before it is.
-        let alone = |exact: &Exact| {
-            near.filter(|_| exact.touches_without_load()).and_then(|_| self.sweep.answer(value, &[]).ok())
-        };
         match self.sweep.answer(value, near.as_slice()) {
-            Ok((scene, exact)) => {
-                let exact = alone(&exact).map(|(_, alone)| alone).filter(|alone| alone.solved).unwrap_or(exact);
-                Ok(Step { value, scene, exact })
-            }
+            Ok((scene, exact)) => Ok(Step { value, scene, exact }),
             Err(error) => Err(SweepError::Invalid {
                 quantity: self.sweep.quantity,
                 value,
@@ -281,8 +275,9 @@ impl Walk<'_> {
         Row { value, solution, pattern }
     }
 
-    /// The last value with a well-posed scene between one that has one and one that has none.
-    fn border(&self, with: f64, without: f64) -> f64 {
+    /// The last value with a well-posed scene on the way from one that has one to one that has none.
+    #[must_use]
+    pub fn border(&self, with: f64, without: f64) -> f64 {
         let has = |value, (): &()| self.sweep.scene(value).and_then(|scene| scene.scaled()).ok().map(drop);
         last((with, ()), without, u32::MAX, |_, _| false, has).0
     }

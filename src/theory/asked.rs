@@ -4,7 +4,6 @@ use super::derivatives::By;
 use super::exact::Exact;
 use super::sensitivity::Change;
 use crate::scene::{Foundation, Quantity, Scene, Support};
-use crate::state::ContactState;
 
 /// A share of the size of a number of the scene that means nothing: none is known to seven digits, and conditions are met to twelve.
 pub(super) const NOTHING: f64 = 1e-7;
@@ -32,7 +31,7 @@ impl Asked {
         }
         self.beside(scene).map(|beside| {
             let there = beside.and_then(|beside| exact.goes_on_in(&beside));
-            there.is_some_and(|there| is_next_to(&exact.state, &there, scene.beam().length()))
+            there.is_some_and(|there| is_next_to(exact, &there, scene.beam().length()))
         })
     }
 
@@ -45,25 +44,24 @@ impl Asked {
     }
 }
 
-/// Whether two states have contacts and supports of the same kinds, with nearly the same forces at nearly the same places.
-fn is_next_to(state: &ContactState, other: &ContactState, length: f64) -> bool {
+/// Whether two answers have contacts and supports of the same kinds, with nearly the same forces at nearly the same places.
+fn is_next_to(exact: &Exact, other: &Exact, length: f64) -> bool {
     /// After a change by [`NOTHING`]: what jumps changes by more, and so does what grows like the root of the change.
     const NEAR: f64 = 1e-4;
-    let kinds = |state: &ContactState| -> Vec<bool> {
-        let supports = state.supports.iter().map(|support| support.pushes_only && support.force <= 0.0);
-        state.contacts.iter().map(|contact| contact.end_forces.is_some()).chain(supports).collect()
+    let kinds = |exact: &Exact| -> Vec<bool> {
+        let supports = exact.state.supports.iter().map(|support| support.pushes_only && support.force <= 0.0);
+        exact.listed.iter().map(|contact| contact.end_forces.is_some()).chain(supports).collect()
     };
-    let forces = |state: &ContactState| -> Vec<f64> {
-        let contacts =
-            state.contacts.iter().flat_map(|c| [c.force].into_iter().chain(c.end_forces.unwrap_or_default()));
-        state.supports.iter().map(|support| support.force).chain(contacts).collect()
+    let forces = |exact: &Exact| -> Vec<f64> {
+        let contacts = exact.listed.iter().flat_map(|c| [c.force].into_iter().chain(c.end_forces.unwrap_or_default()));
+        exact.state.supports.iter().map(|support| support.force).chain(contacts).collect()
     };
-    let places = |state: &ContactState| -> Vec<f64> { state.contacts.iter().flat_map(|c| [c.from, c.to]).collect() };
+    let places = |exact: &Exact| -> Vec<f64> { exact.listed.iter().flat_map(|c| [c.from, c.to]).collect() };
     let near = |a: Vec<f64>, b: Vec<f64>, size: f64| a.iter().zip(&b).all(|(a, b)| (a - b).abs() <= NEAR * size);
-    let largest = forces(state).into_iter().fold(0.0, |most: f64, force| most.max(force.abs()));
-    kinds(state) == kinds(other)
-        && near(forces(state), forces(other), largest)
-        && near(places(state), places(other), length)
+    let largest = forces(exact).into_iter().fold(0.0, |most: f64, force| most.max(force.abs()));
+    kinds(exact) == kinds(other)
+        && near(forces(exact), forces(other), largest)
+        && near(places(exact), places(other), length)
 }
 
 impl Exact {

@@ -19,15 +19,10 @@ impl Exact {
         ]
     }
 
-    /// True if a contact begins, lies or ends where no load drives the beam onto the ground: one answer has several lists of contacts
-    /// there. On ground that gives there is no list.
-    pub(crate) fn touches_without_load(&self) -> bool {
-        self.springs.is_none() && self.state.contacts.iter().any(|contact| self.is_idle(contact))
-    }
-
-    /// The same of contacts that have a length, and of a beam that is nowhere off the ground between two nodes.
+    /// True if a zone of the list lies in part where no load drives the beam onto the ground, or the beam is nowhere off the ground between
+    /// two nodes: one answer has several lists of contacts there. On ground that gives there is no list.
     pub(super) fn lies_without_load(&self) -> bool {
-        let mut zones = self.state.contacts.iter().filter(|contact| contact.from < contact.to);
+        let mut zones = self.listed.iter().filter(|contact| contact.from < contact.to);
         let along = |span: &Span| span.at_a.iter().chain(&span.at_b).all(|h| *h == 0.0);
         self.springs.is_none()
             && (zones.any(|zone| self.is_idle(zone)) || self.spans.iter().any(|(_, span)| along(span)))

@@ -36,11 +36,23 @@ impl Check {
         TOLERANCE * self.scale.depth_in(given, span, at)
     }
 
+    /// What deflection and curvature have no digits below, wherever the profile has as many.
+    pub(super) fn nothing(&self) -> Nothing {
+        Nothing { depth: TOLERANCE * self.scale.deflection, bend: TOLERANCE * self.scale.moment }
+    }
+
     /// The length of the shorter span beside a node.
     pub(super) fn shortest_beside(&self, node: usize) -> f64 {
         let beside = [node, node + 1].into_iter().filter_map(|i| self.spans.binary_search_by_key(&i, |(j, _)| *j).ok());
         beside.fold(f64::INFINITY, |least, i| self.spans[i].1.length().min(least))
     }
+}
+
+/// A clearance and a bend that are rounding.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Nothing {
+    pub(super) depth: f64,
+    pub(super) bend: f64,
 }
 
 /// A violation below this is rounding: conditions are met to 12 digits of the largest deflection and moment, and of the forces and

@@ -13,7 +13,6 @@ use super::springs::Springs;
 use crate::certificate::Slope;
 use crate::scene::polynomial::{SHORT, long_degree};
 use crate::scene::{Foundation, Scale, Scene};
-use crate::state::ContactState;
 
 /// What an answer takes, however small its scene is, on two supports.
 const START: u64 = 50;
@@ -81,17 +80,17 @@ impl Exact {
         Some(Self::new(given, found, scaled.scale, stiffness))
     }
 
-    /// Its state in a scene beside this one, if it goes on there: with its contacts moved and kept as they are; where these cannot be
+    /// The answer in a scene beside this one, if this one goes on there: with its contacts moved and kept as they are; where these cannot be
     /// carried over, with those of the answer there.
-    pub(super) fn goes_on_in(&self, scene: &Scene) -> Option<ContactState> {
+    pub(super) fn goes_on_in(&self, scene: &Scene) -> Option<Self> {
         let Some((given, list, converged)) = self.tried(scene) else {
-            return solve_near(scene, &[self]).ok().filter(|there| there.solved).map(|there| there.state);
+            return solve_near(scene, &[self]).ok().filter(|there| there.solved);
         };
         let scaled = scene.scaled().ok()?;
         let checked = check(&given, &list);
         let found = Candidate { list, checked, steps: 0, lists: 1, samples: 0, converged };
         let stiffness = scaled.scene.beam().bending_stiffness();
-        found.solved().then(|| Self::new(given, found, scaled.scale, stiffness).state)
+        found.solved().then(|| Self::new(given, found, scaled.scale, stiffness))
     }
 
     /// How far the contacts of this solution, kept as they are, are from violating a condition in `scene`: a smooth function of
@@ -153,7 +152,8 @@ impl Exact {
         // To make the pieces of a long polynomial takes as much for each coefficient of each as a piece that is gone through.
         let made: usize = self.given.shapes.iter().map(Shape::expanded).sum();
         // Of thousands of supports this is nearly all of it.
-        let many = OF_A_SUPPORT * self.given.supports.len().saturating_sub(2);
+        let held = self.given.supports.len() + self.given.bearings.len();
+        let many = OF_A_SUPPORT * held.saturating_sub(2);
         START + u64::try_from(passes + made + many).unwrap_or(u64::MAX)
     }
 

@@ -13,6 +13,7 @@ use super::list::Node;
 use super::sensitivity::{Change, NodeChange, Sensitivity, standing};
 use super::springs::Springs;
 use crate::scene::{Quantity, Scene};
+use crate::state::Contact;
 
 /// By what an answer is differentiated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -81,6 +82,14 @@ pub struct ContactDerivative {
     pub force: f64,
     /// Of the forces at the ends of a zone.
     pub end_forces: Option<[f64; 2]>,
+}
+
+impl ContactDerivative {
+    /// That of a contact, or of a zone, without numbers.
+    fn none(is_zone: bool) -> Self {
+        let end_forces = is_zone.then_some([f64::NAN; 2]);
+        Self { from: f64::NAN, to: f64::NAN, force: f64::NAN, end_forces }
+    }
 }
 
 /// Numbers of all derivatives together at most, with the unknowns of the beams that they are computed from: some 400 MB as text, and
@@ -153,6 +162,7 @@ impl Exact {
         supports.extend(lifted.map(|at| (at, 0.0)));
         supports.sort_by(|a, b| a.0.total_cmp(&b.0));
         let supports = supports.into_iter().map(|(_, force)| force).collect();
+        let contacts = self.of_pressing(&contacts);
         let energy = self.energy_by(of, &changes) * self.stiffness * self.scale.energy() / unit + 0.0;
         let is_known = contacts.iter().all(|contact| contact.from.is_finite() && contact.to.is_finite());
         let there = Derivative {
@@ -164,6 +174,18 @@ impl Exact {
             energy,
         };
         if holds == [false; 2] { there.without_numbers() } else { there }
+    }
+
+    /// The derivatives of the contacts that press, from those of the contacts of the list: a part of one has none.
+    pub(super) fn of_pressing(&self, listed: &[ContactDerivative]) -> Vec<ContactDerivative> {
+        let mut next = 0;
+        let of = |contact: &Contact| {
+            next += self.listed[next..].iter().take_while(|listed| listed.to < contact.from).count();
+            let near = self.listed[next..].iter().take_while(|listed| listed.from <= contact.from);
+            let whole = near.zip(&listed[next..]).find(|(listed, _)| *listed == contact);
+            whole.map_or_else(|| ContactDerivative::none(contact.end_forces.is_some()), |(_, derivative)| *derivative)
+        };
+        self.state.contacts.iter().map(of).collect()
     }
 
     /// What the support at node `i` exerts, over `EI`: one that holds the beam with the load that stands on it.
@@ -210,8 +232,7 @@ impl Derivative {
         self.missing = Some(Missing::Ends);
         self.supports.fill(f64::NAN);
         for contact in &mut self.contacts {
-            let end_forces = contact.end_forces.map(|_| [f64::NAN; 2]);
-            *contact = ContactDerivative { from: f64::NAN, to: f64::NAN, force: f64::NAN, end_forces };
+            *contact = ContactDerivative::none(contact.end_forces.is_some());
         }
         self.energy = f64::NAN;
         self

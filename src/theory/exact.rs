@@ -11,7 +11,7 @@ use super::summary;
 use super::violation::Violation;
 use crate::certificate::{Slope, Stretch};
 use crate::scene::{Balance, Foundation, Scale, Scene};
-use crate::state::{ContactState, Extremes, Motion, Standing};
+use crate::state::{Contact, ContactState, Extremes, Motion, Standing};
 
 /// The exact solution of a scene; made by [`super::solve`].
 #[derive(Debug, Clone)]
@@ -40,6 +40,8 @@ pub struct Exact {
     pub support_couples: [f64; 2],
     pub(super) given: PiecewiseScene,
     pub(super) list: List,
+    /// The contacts of the list, whether they press or not.
+    pub(super) listed: Vec<Contact>,
     pub(super) spans: Vec<(usize, Span)>,
     /// Of the nodes of the list, over `EI`; of a support without the load that stands on it.
     pub(super) forces: Vec<f64>,
@@ -62,12 +64,14 @@ impl Exact {
         let state = summary::state(&given, &found, stiffness).in_units_of(&scale);
         let overflow = (!state.is_finite()).then_some(Violation::Overflow);
         let solved = found.solved() && overflow.is_none();
+        let nothing = found.checked.nothing();
         let Candidate { list, checked, steps, lists, samples, converged } = found;
         let faults = checked.faults.iter().map(|(_, fault)| fault.in_units(&scale, stiffness));
         let violations = faults.chain(overflow).collect();
         let support_couples =
             [0.0, given.length].map(|end| couple(&given, &list, &checked.moments, end) * stiffness * scale.moment());
-        Self {
+        let exact = Self {
+            listed: state.contacts.clone(),
             state,
             solved,
             converged,
@@ -86,7 +90,9 @@ impl Exact {
             given,
             scale,
             stiffness,
-        }
+        };
+        // What is no solution shows the forces that its list has, tension among them.
+        if solved { exact.with_touches(&nothing) } else { exact }
     }
 
     /// With what the supports leave free: `balance` in the units of the scene, `slopes` dimensionless.
@@ -99,8 +105,7 @@ impl Exact {
             }
             _ => None,
         };
-        let standing = |resultant| Standing::of(resultant, &self.state.supports, &self.state.contacts, motion);
-        self.state.standing = balance.resultant().map(standing);
+        self.state.standing = balance.resultant().map(|resultant| Standing::of(&self.state, resultant, motion));
         self
     }
 

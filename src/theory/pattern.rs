@@ -2,7 +2,7 @@
 
 use super::check::{AT_REST, TOLERANCE};
 use super::exact::Exact;
-use super::forces::force_beside;
+use super::forces::{force_beside, zone_force};
 use super::list::Node;
 use super::piecewise::PiecewiseScene;
 use super::shape::Wave;
@@ -134,7 +134,7 @@ impl Exact {
             return found;
         }
         let (given, nodes, rest) = (&self.given, &self.list.nodes, self.rest());
-        let mut contacts = self.state.contacts.iter();
+        let mut contacts = self.listed.iter();
         let mut found = Vec::with_capacity(contacts.len());
         for i in 0..=nodes.len() {
             if self.list.in_zone_before(i) {
@@ -182,7 +182,7 @@ impl Exact {
 
     /// What carries something of the zone before node `i`: the stretches with a pressure, and the places with a force.
     fn pressed(&self, i: usize, contact: Contact, rest: f64) -> Vec<(ContactKind, Contact)> {
-        let (given, unit) = (&self.given, self.scale.length);
+        let given = &self.given;
         let nodes = [&self.list.nodes[i - 1], &self.list.nodes[i]];
         let [from, to] = nodes.map(|node| node.x);
         let within = |x: f64| x.max(from).min(to);
@@ -221,8 +221,32 @@ impl Exact {
                 None => ContactKind::Point(shape(from)),
             }
         };
-        let piece = |ends: [f64; 2]| (kind(ends), Contact { from: ends[0] * unit, to: ends[1] * unit, ..contact });
+        let is_whole =
+            |ends: &[[f64; 2]]| matches!(ends, [[lo, hi]] if end(*lo).is_some() && end(*hi).is_some() && lo < hi);
+        if is_whole(&pieces) {
+            return vec![(kind([from, to]), contact)];
+        }
+        let piece = |ends: [f64; 2]| (kind(ends), self.part_of_zone(i, ends).in_units(&self.scale, self.stiffness));
         pieces.into_iter().map(piece).collect()
+    }
+
+    /// What a part of the zone before node `i` carries, over `EI`: from one of its ends, or a place at which the load changes, to another.
+    fn part_of_zone(&self, i: usize, ends: [f64; 2]) -> Contact {
+        let (given, nodes) = (&self.given, &self.list.nodes);
+        let near = |x: f64, place: f64| (x - place).abs() <= AT_ONE_PLACE * given.length;
+        let concentrated = ends.map(|x| {
+            let at_end = [i - 1, i].into_iter().filter(|&i| near(nodes[i].x, x) && nodes[i].support(given).is_none());
+            let loads = given.breakpoints_inside(nodes[i - 1].x, nodes[i].x).map(|i| &given.breakpoints[i]);
+            let loads = loads.filter(|breakpoint| near(breakpoint.x, x)).map(|breakpoint| breakpoint.force);
+            at_end.map(|i| self.forces[i]).chain(loads).sum::<f64>()
+        });
+        let [from, to] = ends;
+        if from < to {
+            let force = concentrated[0] + concentrated[1] + zone_force(given, from, to);
+            Contact { from, to, force, end_forces: Some(concentrated) }
+        } else {
+            Contact::at(from, concentrated[0])
+        }
     }
 
     /// On which sides of a support the ground holds the slope of the beam, and takes a couple for it.

@@ -22,7 +22,9 @@ pub(super) fn in_bearings<'a>(
         let [a, b] = [&span.a, &span.b].map(|end| (end.x, end.hold == EndCondition::Free));
         (a.0 < x || a.1 && a.0 <= x) && (x < b.0 || b.1 && x <= b.0)
     };
-    let bearings = given.bearings.iter().map(|&i| &given.breakpoints[i]).filter(move |bearing| under(bearing.x));
+    let first = given.bearings.partition_point(|&i| given.breakpoints[i].x < span.a.x);
+    let bearings = given.bearings[first..].iter().map(|&i| &given.breakpoints[i]);
+    let bearings = bearings.take_while(|bearing| bearing.x <= span.b.x).filter(move |bearing| under(bearing.x));
     bearings.map(|bearing| {
         let piece = &pieces[pieces.partition_point(|p| p.hi < bearing.x).min(pieces.len() - 1)];
         let part = piece.part_in(given, given.cell_to(bearing.x));

@@ -25,15 +25,19 @@ fn rigid(given: &PiecewiseScene) -> Vec<usize> {
     match given.supports.as_slice() {
         [] => {
             let at = given.length - turn / given.resultant;
-            let depth = |i: &usize, j: &usize| {
-                let ((a, u), (b, w)) = (place(i), place(j));
-                u + (w - u) * ((at - a) / (b - a))
-            };
-            let right = given.bearings.partition_point(|i| place(i).0 < at);
-            let (before, beyond) = given.bearings.split_at(right);
-            let pairs = before.iter().flat_map(|i| beyond.iter().map(move |j| (i, j)));
-            let deepest = pairs.min_by(|a, b| depth(a.0, a.1).total_cmp(&depth(b.0, b.1)));
-            deepest.map_or(Vec::new(), |(i, j)| vec![*i, *j])
+            // The corners of the lower hull, from left to right: of three in turn the middle one is below the line of the others.
+            let mut hull: Vec<usize> = Vec::new();
+            for i in &given.bearings {
+                while let [.., a, b] = &hull[..]
+                    && let ([(a, u), (b, v)], (c, w)) = ([place(a), place(b)], place(i))
+                    && (w - u) * (b - a) <= (v - u) * (c - a)
+                {
+                    hull.pop();
+                }
+                hull.push(*i);
+            }
+            let right = hull.partition_point(|i| place(i).0 < at);
+            right.checked_sub(1).and_then(|left| Some(hull.get(left..=right)?.to_vec())).unwrap_or_default()
         }
         [support] if !support.built_in => {
             let x = given.breakpoints[support.breakpoint].x;

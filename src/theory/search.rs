@@ -137,9 +137,11 @@ pub(super) fn search(given: &PiecewiseScene, near: impl Iterator<Item = List>) -
             break;
         }
     }
-    for list in resting::lists(given).into_iter().filter(|_| !given.founded) {
-        if !is_solved(&best) {
-            best = with_repairs(given, list, ROUNDS, best, &mut places)?;
+    if !given.founded && !is_solved(&best) {
+        for list in resting::lists(given) {
+            if !is_solved(&best) {
+                best = with_repairs(given, list, ROUNDS, best, &mut places)?;
+            }
         }
     }
     let found = match best {

@@ -21,6 +21,7 @@ pub(super) fn state(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -
         supports,
         standing: None,
         contacts,
+        touches: Vec::new(),
         deflection,
         moment: Extremes { max: moment(min), max_at: min_at, min: moment(max), min_at: max_at },
         energy: energy(given, pieces) * stiffness,

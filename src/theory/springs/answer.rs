@@ -118,7 +118,7 @@ pub(in crate::theory) fn exact(scaled: &Scaled, given: PiecewiseScene, stiffness
     let stiffness = scaled.scene.beam().bending_stiffness();
     let mut state = state(&given, &parts, &stretches, [springs, stiffness]).in_units_of(&scaled.scale);
     let resultant = scaled.balance.in_units_of(&scaled.scale).resultant();
-    state.standing = resultant.map(|resultant| Standing::of(resultant, &state.supports, &state.contacts, None));
+    state.standing = resultant.map(|resultant| Standing::of(&state, resultant, None));
     let solved = settled && residual <= MOST_VIOLATED && state.is_finite();
     let unknowns = 2 * stretches.len();
     let functions = Springs { parts, stretches, stiffness: springs };
@@ -132,6 +132,7 @@ pub(in crate::theory) fn exact(scaled: &Scaled, given: PiecewiseScene, stiffness
         residual,
         violations: if state.is_finite() { Vec::new() } else { vec![Violation::Overflow] },
         support_couples: [0.0; 2],
+        listed: state.contacts.clone(),
         state,
         springs: Some(functions),
         list: List { nodes: Vec::new() },
@@ -185,6 +186,7 @@ fn state(
         supports,
         standing: None,
         contacts,
+        touches: Vec::new(),
         deflection: extremes(parts.iter(), |part| part.deflection.clone()),
         moment: bent.in_units(stiffness, 1.0),
         energy: energy(given, parts, springs) * stiffness,

@@ -277,7 +277,7 @@ const REFUSED: &[&str] = &[
     "sweep example.toml --vary load.point[0].at --from 0 --to 1 --csv a.csv",
     "sweep example.toml --vary foundation.dept --from 0 --to 1",
     "sweep example.toml --vary depth --from 0 --to 1",
-    "sweep example.toml --vary foundation.depth --from -1 --to 1 -n 5 --csv a.csv",
+    "sweep example.toml --vary foundation.depth --from -2 --to -1 -n 5 --csv a.csv",
     "sweep example.toml --vary foundation.depth --from 1 --to 2 -n 1",
     "sweep example.toml --vary foundation.depth --from 1 --to 2 -n 0",
     "sweep example.toml --vary foundation.depth --from 1 --to 2 -n -3",

@@ -75,16 +75,43 @@ fn a_sweep_that_is_stopped_says_where_and_fails() {
     assert!(reason.contains("the work that one sweep may take is done"), "{reason}");
 }
 
-/// A range that leaves what has an answer: what there is is printed, with the reason; if there is nothing, that is an error.
+/// A range with values without an answer, at its end, at its beginning, or at both: the rows that there are are printed, the same ones and
+/// with the same events in both directions, with the reason; if there is none, that is an error.
 #[test]
 fn a_sweep_that_leaves_what_has_an_answer_prints_what_there_is() {
     let folder = Folder::new("sweep_left");
-    let run = folder.run("sweep example.toml --vary foundation.depth --from 1 --to -1 --steps 5 --format json");
-    assert_eq!(run.code, Some(1), "{}", run.err);
-    let object: serde_json::Value = serde_json::from_str(&run.out).expect("one object");
-    assert_eq!((object["rows"].as_array().map(Vec::len), object["stopped"]["of"].as_u64()), (Some(3), Some(5)));
-    let reason = object["stopped"]["reason"].as_str().unwrap_or_default();
-    assert!(reason.contains("`foundation.depth` = -0.5, and none from 0 on"), "{reason}");
-    let nothing = folder.run("sweep example.toml --vary foundation.depth --from -1 --to 1 --steps 5");
+    let supports = "supports = [{ at = 2.0, pushes_only = true }, { at = 8.0, pushes_only = true }]";
+    let beam = format!("[beam]\nlength = 10.0\nbending_stiffness = 1.0\n{supports}\n");
+    folder.write("bearings.toml", format!("{beam}[load]\npoint = [{{ at = 5.0, force = 1.0 }}]\n"));
+    let swept = |path: &str, from: f64, to: f64| {
+        let file = if path.starts_with("load") { "bearings" } else { "example" };
+        let run =
+            folder.run(&format!("sweep {file}.toml --vary {path} --from {from} --to {to} --steps 9 --format json"));
+        assert_eq!(run.code, Some(1), "{path}: {}", run.err);
+        let object: serde_json::Value = serde_json::from_str(&run.out).expect("one object");
+        let numbers = |key: &str| -> Vec<f64> {
+            let rows = object[key].as_array().expect("a list").iter();
+            rows.map(|row| row["value"].as_f64().expect("a value")).collect()
+        };
+        assert_eq!(object["stopped"]["of"].as_u64(), Some(9), "{path}");
+        let reason = object["stopped"]["reason"].as_str().unwrap_or_default().to_owned();
+        (numbers("rows"), numbers("events"), reason)
+    };
+    let (path, of_load) = ("foundation.depth", "load.point[0].at");
+    for (path, from, to, rows, words) in [
+        (path, 120.0, -40.0, 7, "`foundation.depth` = -20, and none from 0 on"),
+        (path, -40.0, 120.0, 7, "there are answers from 0 on"),
+        (of_load, 0.0, 10.0, 5, "there are answers from 2 on, but for 1 more stretch of values"),
+    ] {
+        let (forth, events, reason) = swept(path, from, to);
+        let (mut back, mut events_back, _) = swept(path, to, from);
+        back.reverse();
+        events_back.reverse();
+        assert!(forth.len() == rows && forth == back, "{path}: {forth:?} and {back:?}");
+        let near = events.iter().zip(&events_back).all(|(a, b)| (a - b).abs() <= 1e-7);
+        assert!(events.len() == events_back.len() && near, "{path}: {events:?} and {events_back:?}");
+        assert!(reason.contains(words), "{reason}");
+    }
+    let nothing = folder.run("sweep example.toml --vary foundation.depth --from -2 --to -1 --steps 5");
     assert!(nothing.code == Some(2) && nothing.out.is_empty(), "{}", nothing.err);
 }

@@ -4,6 +4,7 @@ mod derivatives;
 mod envelope;
 mod events;
 mod family;
+mod govern;
 mod rows;
 
 use palkki::scene::{Foundation, Load, PointLoad, Scene, Support};

@@ -18,6 +18,7 @@ mod settled;
 mod springs;
 mod supports;
 mod surveys;
+mod touching;
 
 use palkki::scene::Scene;
 use palkki::theory::{Exact, solve};

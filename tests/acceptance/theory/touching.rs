@@ -1,0 +1,135 @@
+//! What presses, and where a beam only lies: neither depends on the list of contacts that was found.
+
+use palkki::route::Status;
+use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, Support};
+use palkki::solve_exactly;
+use palkki::state::ContactState;
+use palkki::sweep::Sweep;
+use palkki_evidence::random::{Random, sample_of};
+
+/// A beam without weight, with forces at places, on supports and above ground.
+fn scene(length: f64, supports: &[Support], forces: &[[f64; 2]], ground: Option<Foundation>) -> Scene {
+    let beam = Beam::new(length, 1.0).and_then(|beam| beam.with_supports(supports.to_vec())).expect("a beam");
+    let point = forces.iter().map(|&[at, force]| PointLoad { at, force }).collect();
+    let load = Load::new(&beam, 0.0, Vec::new(), point).expect("a load");
+    Scene::new(beam, load, ground).expect("a scene")
+}
+
+fn level() -> Option<Foundation> {
+    Some(Foundation::Flat { depth: 0.0 })
+}
+
+/// The certified state: contacts as `[from, to, force]`, and touches as `[from, to]`.
+#[track_caller]
+fn state(scene: &Scene) -> (Vec<[f64; 3]>, Vec<[f64; 2]>, ContactState) {
+    let solution = solve_exactly(scene).expect("an answer");
+    assert_eq!(solution.verdict.status, Status::Certified, "{}", solution.verdict);
+    let state = solution.state;
+    let contacts = state.contacts.iter().map(|c| [c.from, c.to, c.force]).collect();
+    (contacts, state.touches.iter().map(|t| [t.from, t.to]).collect(), state)
+}
+
+fn near(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-9
+}
+
+#[test]
+fn a_beam_without_weight_presses_where_its_loads_are() {
+    let held = [Support::simple(0.0), Support::simple(1.0)];
+    for supports in [&held[..], &held[..1], &[]] {
+        let (contacts, touches, state) = state(&scene(1.0, supports, &[[0.3, 1.0]], level()));
+        assert_eq!(contacts, [[0.3, 0.3, 1.0]], "{supports:?}");
+        assert_eq!(touches, [[0.0, 1.0]], "{supports:?}");
+        assert!(state.standing.is_none_or(|standing| near(standing.margin, 0.3)), "{:?}", state.standing);
+    }
+    let clamped = Support { slope: Some(0.0), ..Support::simple(0.0) };
+    let (contacts, touches, _) = state(&scene(1.0, &[clamped], &[[1.0, 1.0]], level()));
+    assert_eq!((contacts, touches), (vec![[1.0, 1.0, 1.0]], vec![[0.0, 1.0]]), "a clamp on the ground");
+}
+
+/// A plank on the floor presses everywhere.
+#[test]
+fn a_plank_presses_on_the_whole_floor() {
+    let beam = Beam::new(3.0, 1.0).and_then(|beam| beam.with_supports(Vec::new())).expect("a beam");
+    let load = Load::uniform_on(&beam, 2.0).expect("a load");
+    let (contacts, touches, state) = state(&Scene::new(beam, load, level()).expect("a scene"));
+    assert_eq!((contacts, touches), (vec![[0.0, 3.0, 6.0]], Vec::new()));
+    assert!(near(state.standing.expect("it is not held").margin, 0.5));
+}
+
+/// Random forces on a floor, some of them at one place, and a load that covers a part: what presses is where they are, and the beam touches
+/// what is beside.
+#[test]
+fn what_presses_is_the_load_on_a_floor() {
+    for i in 0..sample_of(200_u64) {
+        let mut random = Random::new(46 + i);
+        let length = random.between(0.1, 20.0);
+        let mut places: Vec<f64> = (0..1 + random.below(4)).map(|_| length * random.between(0.0, 1.0)).collect();
+        places.sort_by(f64::total_cmp);
+        let forces: Vec<[f64; 2]> = places.iter().map(|&at| [at, random.between(0.1, 10.0)]).collect();
+        let held = [Support::simple(0.0), Support::simple(length)];
+        let supports = &held[..random.below(3)];
+        let (contacts, touches, state) = state(&scene(length, supports, &forces, level()));
+        assert_eq!(contacts.len(), forces.len(), "{i}: {contacts:?} for {forces:?}");
+        for ([from, to, force], [at, load]) in contacts.iter().zip(&forces) {
+            assert!(near(*from, *at) && near(*to, *at) && near(*force, *load), "{i}: {contacts:?} for {forces:?}");
+        }
+        let [[from, to]] = touches[..] else { panic!("{i}: {touches:?}") };
+        assert!(near(from, 0.0) && near(to, length), "{i}: {touches:?}");
+        if let Some(standing) = state.standing {
+            let share = standing.resultant.at / length;
+            assert!(near(standing.margin, share.min(1.0 - share)), "{i}: {standing:?}");
+        }
+    }
+}
+
+/// Of three level sleepers the beam without weight touches all where its load stands above the middle one, and two where it stands between
+/// two: the margin is the distance to the outermost ones that it touches.
+#[test]
+fn the_margin_on_three_sleepers_does_not_depend_on_the_list() {
+    for i in 0..sample_of(80_u64) {
+        let mut random = Random::new(52 + i);
+        let mut places = [0.0, random.between(0.5, 3.0), 0.0];
+        places[2] = places[1] + random.between(0.5, 3.0);
+        let length = places[2] + 1.0;
+        let sleepers = places.map(|at| Support::pushing(at + 0.5));
+        let k = random.below(3);
+        let at = match k {
+            0 => random.between(places[0], places[1]),
+            1 => random.between(places[1], places[2]),
+            _ => places[1],
+        };
+        let force = random.between(0.1, 10.0);
+        let points = |level: f64| -> Vec<[f64; 2]> {
+            let tops = places.iter().flat_map(|x| [[x + 0.4, level + 1.0], [x + 0.5, level], [x + 0.6, level + 1.0]]);
+            [[0.0, level + 1.0]].into_iter().chain(tops).chain([[length, level + 1.0]]).collect()
+        };
+        let ground = Foundation::Polyline { points: points(0.0) };
+        let of_supports = scene(length, &sleepers, &[[at + 0.5, force]], None);
+        let of_ground = scene(length, &[], &[[at + 0.5, force]], Some(ground));
+        let [from, to] = [[places[0], places[1]], [places[1], places[2]], [places[0], places[2]]][k];
+        let expected = ((at - from) / (to - from)).min((to - at) / (to - from));
+        for scene in [of_supports, of_ground] {
+            let (_, touches, state) = state(&scene);
+            let margin = state.standing.expect("it is not held").margin;
+            assert!((margin - expected).abs() <= 1e-9, "{i}: {margin}, not {expected}");
+            assert_eq!(touches.len(), if k == 2 { 2 } else { 0 }, "{i}: {touches:?}");
+        }
+    }
+}
+
+/// From row to row of a sweep there are as many contacts and touches as there are loads and floors, in both directions.
+#[test]
+fn nothing_flickers_from_row_to_row() {
+    let two = scene(10.0, &[], &[[1.0, 2.0], [7.3, 1.0]], level());
+    let one = scene(10.0, &[Support::simple(0.0), Support::simple(10.0)], &[[1.0, 2.0]], level());
+    for (scene, contacts) in [(&two, 2), (&one, 1)] {
+        for range in [[0.5, 6.9], [6.9, 0.5]] {
+            let sweep = Sweep::new(scene, "load.point[0].at", range, 41).expect("a sweep");
+            for row in sweep.rows().expect("answers") {
+                let state = row.solution.state;
+                assert_eq!((state.contacts.len(), state.touches.len()), (contacts, 1), "{}: {state:?}", row.value);
+            }
+        }
+    }
+}
