@@ -306,7 +306,7 @@ pub(super) fn clear_from(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, end:
 /// contact pushes up, wherever it is, and at a distance `s` from the support
 ///
 /// ```text
-/// EI h'' = EI g'' + M ≥ EI g'' − ∫ |q| (ξ − s) dξ − Σ |P| (ξ − s) > 0,    h = 0 and h' ≥ 0 for s = 0:    h > 0
+/// EI h'' = EI g'' + M ≥ EI g'' − ∫ |q| (ξ − s) dξ − Σ |P| (ξ − s) − Σ |C| > 0,    h = 0 and h' ≥ 0 for s = 0:    h > 0
 /// ```
 ///
 /// Into ground that gives a beam may sink beside the support, `h' < 0`.
@@ -326,7 +326,9 @@ fn bends_away(enclosed: &EnclosedScene<'_>, x: f64, end: f64, part: [f64; 2]) ->
     let points = load.points.iter().filter(|(place, _)| beyond(*place));
     let points =
         points.map(|(place, force)| Interval::exact(force.magnitude()) * Interval::exact((place - x).abs() * OUTWARDS));
-    let bent = spread.chain(points).fold(Interval::ZERO, |sum, part| sum + part);
+    let couples = load.couples.iter().filter(|(place, _)| x.min(end) <= *place && *place <= x.max(end));
+    let couples = couples.map(|(_, couple)| Interval::exact(couple.magnitude()));
+    let bent = spread.chain(points).chain(couples).fold(Interval::ZERO, |sum, part| sum + part);
     let width = Interval::length(part[0], part[1]);
     let ground = enclosed.gap.about(part[0], part).derivative().derivative().times(Interval::exact(enclosed.stiffness));
     bent.hi() < ground.range(width).lo()
@@ -344,7 +346,8 @@ pub(super) fn lies_beside(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, sid
     };
     let at_end = x <= 0.0 || enclosed.length <= x;
     let fixed = support.is_fixed && (support.slope.is_none() || support.tangent[side]);
-    let hinged = at_end && support.slope.is_none() && 0.0 <= enclosed.gap.jet(x, to_the_left)[2].lo();
+    let is_turned = 0.0 < enclosed.load.couple(x).magnitude();
+    let hinged = at_end && support.slope.is_none() && !is_turned && 0.0 <= enclosed.gap.jet(x, to_the_left)[2].lo();
     if !(support.at_level[side] && (fixed || hinged)) {
         return false;
     }

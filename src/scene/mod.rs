@@ -26,7 +26,8 @@ pub use error::SceneError;
 pub use foundation::Foundation;
 pub use grid::Grid;
 pub(crate) use grid::is_same_place;
-pub use load::{LinearLoad, Load, PointLoad};
+pub(crate) use load::Concentrated;
+pub use load::{CoupleLoad, LinearLoad, Load, PointLoad};
 pub use number::PathError;
 pub use quantity::{Profile, ProfileKey, Quantity};
 pub use scale::{Scale, Scaled};
@@ -61,7 +62,7 @@ impl Scene {
     ///
     /// Every [`SceneError`] of [`Load::new`] and [`Foundation::checked`].
     pub fn new(beam: Beam, load: Load, foundation: Option<Foundation>) -> Result<Self, SceneError> {
-        let load = Load::new(&beam, load.uniform(), load.linear().to_vec(), load.point().to_vec())?;
+        let load = load.checked(&beam)?;
         let foundation = foundation.map(|f| f.checked(&beam)).transpose()?.map(Arc::new);
         Ok(Self { title: String::new(), beam, load, foundation, stiffness: None, units: Units::default() })
     }

@@ -133,7 +133,7 @@ fn assemble(
     if let Some(shape) = shape {
         beam = beam.with_shape(shape)?;
     }
-    let load = Load::new(&beam, load.uniform, load.linear, load.point)?;
+    let load = Load::new(&beam, load.uniform, load.linear, load.point)?.with_couples(&beam, load.couple)?;
     let scene = Scene::new(beam, load, foundation)?;
     let scene = stiffness.map_or(Ok(scene.clone()), |k| scene.on_springs(k))?;
     scene.scaled()?;

@@ -8,6 +8,7 @@ mod clearance;
 mod closed;
 mod crests;
 mod explain;
+mod general;
 mod level;
 mod long;
 mod near;
