@@ -1,5 +1,4 @@
-//! An exact answer as equations to be checked by hand: the three-moment equations on the contacts that were found, with their
-//! numbers.
+//! An exact answer as equations to check by hand: three-moment equations on the contacts that were found, with their numbers.
 //!
 //! Nodes are the supports, the points of contact, the ends of the zones and the ends of the beam. Between two of them the beam is a
 //! simple beam of length `L` with end moments `M`, the deflections `v` of its ends, and a load. Its slopes at the left and at the right
@@ -20,10 +19,9 @@
 //! V_l = (M_r − M_l)/L + A_l,    V_r = (M_r − M_l)/L − A_r,    R = V(x+) − V(x−) + P
 //! ```
 
-use crate::scene::{Foundation, Scene};
+use crate::scene::{Concentrated, Foundation, Scene};
 use crate::state::SupportForce;
-use crate::theory::Exact;
-use crate::theory::gauss::Gauss;
+use crate::theory::{Exact, gauss::Gauss};
 
 /// Places that are one, as a share of the length of the beam.
 const SAME: f64 = 1e-12;
@@ -83,6 +81,8 @@ pub struct Node {
     pub shears: [f64; 2],
     /// The point load on it \[force\].
     pub load: f64,
+    /// The couple on it, by which the moment is larger on its right \[force · length\].
+    pub couple: f64,
     /// The force there, upwards on the beam \[force\].
     pub force: f64,
 }
@@ -258,8 +258,8 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<Node> {
     });
     let node = |(x, what, force, follows): (f64, What, f64, bool)| {
         let (deflection, moments) = (exact.deflection(x), exact.moments(x));
-        let here = scene.load().point().iter().filter(|load| (load.at - x).abs() <= SAME * length);
-        let load = here.fold(0.0, |sum, load| sum + load.force);
+        let here = scene.load().concentrated().filter(|acts| (acts.at - x).abs() <= SAME * length);
+        let [load, couple] = here.fold([0.0; 2], |sum, acts| [sum[0] + acts.force, sum[1] + acts.couple]);
         // Beside whatever acts at this place, and back along a line; at a free end what stands there.
         let beside = |side: usize, way: f64| {
             let [near, far] = [way, 2.0 * way].map(|way| exact.shear((x + way).clamp(0.0, length))[side]);
@@ -271,7 +271,7 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<Node> {
             What::End => [load, 0.0],
             _ => [if here < x { beside(0, -here) } else { 0.0 }, if x + here < length { beside(1, here) } else { 0.0 }],
         };
-        Node { what, x, deflection, slope: follows.then(|| exact.slope(x)), moments, shears, load, force }
+        Node { what, x, deflection, slope: follows.then(|| exact.slope(x)), moments, shears, load, couple, force }
     };
     found.into_iter().map(node).collect()
 }
@@ -307,30 +307,31 @@ fn overhangs(scene: &Scene, exact: &Exact, nodes: &[Node]) -> Vec<Overhang> {
         let (from, to) = (tip_at.min(at), tip_at.max(at));
         let (mut load, mut moment) = (0.0, 0.0);
         let here = SAME * scene.beam().length();
-        each_force(scene, from, to, |x, force| {
+        each_load(scene, from, to, |Concentrated { at: x, force, couple }| {
             let lever = (x - at).abs();
             load += if here < lever && here < (x - tip_at).abs() { force } else { 0.0 };
             moment += if here < (x - tip_at).abs() { force * lever } else { 0.0 };
+            moment += if at < tip_at { couple } else { -couple };
         });
         let length = to - from;
-        let tip_load = nodes[tip].load;
-        Overhang { root, tip, length, load: load + tip_load, moment: moment + tip_load * length }
+        let (tip_load, tip_moment) =
+            (nodes[tip].load, if at < tip_at { nodes[tip].couple } else { -nodes[tip].couple });
+        Overhang { root, tip, length, load: load + tip_load, moment: moment + tip_load * length + tip_moment }
     };
     [(0, 1), (last, last.saturating_sub(1))].into_iter().filter(|_| 0 < last).filter(hangs).map(of).collect()
 }
 
-/// The load strictly between two places as forces that have its resultant and its next three moments.
-fn each_force(scene: &Scene, from: f64, to: f64, mut visit: impl FnMut(f64, f64)) {
+/// The load strictly between two places as couples and as forces that have its resultant and its next three moments.
+fn each_load(scene: &Scene, from: f64, to: f64, mut visit: impl FnMut(Concentrated)) {
     /// Of these integrals under a linear load.
     const DEGREE: usize = 4;
     let (rule, load) = (Gauss::exact_to(DEGREE), scene.load());
-    let inside = load.point().iter().filter(|point| from < point.at && point.at < to);
-    inside.for_each(|point| visit(point.at, point.force));
-    let whole = crate::scene::LinearLoad { from, to, start: load.uniform(), end: load.uniform() };
-    for part in load.linear().iter().chain(std::iter::once(&whole)) {
+    load.concentrated().filter(|acts| from < acts.at && acts.at < to).for_each(&mut visit);
+    for part in load.spread(scene.beam().length()) {
         // Of a part that is outside nothing is left, with weights of zero.
         let [start, end] = [part.from, part.to].map(|x| x.max(from).min(to));
-        rule.points(start, end).for_each(|(x, weight)| visit(x, part.intensity(x) * weight));
+        let force = |at: f64, weight: f64| Concentrated { at, force: part.intensity(at) * weight, couple: 0.0 };
+        rule.points(start, end).for_each(|(x, weight)| visit(force(x, weight)));
     }
 }
 
@@ -338,10 +339,13 @@ fn each_force(scene: &Scene, from: f64, to: f64, mut visit: impl FnMut(f64, f64)
 fn load_terms(scene: &Scene, from: f64, to: f64) -> ([f64; 2], [f64; 2], f64) {
     let (length, here) = (to - from, SAME * scene.beam().length());
     let (mut sum, mut reactions, mut size) = ([0.0; 2], [0.0; 2], 0.0);
-    each_force(scene, from, to, |at, force| {
+    each_load(scene, from, to, |Concentrated { at, force, couple }| {
         let (xi, rest) = (at - from, to - at);
-        let common = force * xi * rest / length;
-        let [left, right] = [common * (length + rest), common * (length + xi)];
+        let (common, turned) = (force * xi * rest / length, couple / length);
+        // Of a couple what a force does, differentiated by its place.
+        let left = common * (length + rest) + turned * (rest * (length + rest) - xi * (length + 2.0 * rest));
+        let right = common * (length + xi) + turned * ((rest - xi) * (length + xi) + xi * rest);
+        reactions = [reactions[0] - turned, reactions[1] + turned];
         sum = [sum[0] + left, sum[1] + right];
         // What is so near to a node is a load on it, with a lever for moments.
         if here < xi && here < rest {

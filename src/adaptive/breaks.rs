@@ -20,8 +20,7 @@ pub(super) fn common_intervals(scene: &Scene) -> usize {
         _ => Vec::new(),
     };
     let mut all: Vec<f64> = Vec::new();
-    all.extend(scene.load().point().iter().map(|load| load.at / length));
-    all.extend(scene.load().linear().iter().flat_map(|load| [load.from / length, load.to / length]));
+    all.extend(scene.load().places(length).map(|x| x / length));
     // Supports inside have to be nodes, all else ought to be.
     let inner: Vec<f64> = scene.beam().all_supports().iter().map(|support| support.at / length).collect();
     if let Some(Foundation::Polyline { points }) = scene.beam().shape() {

@@ -40,7 +40,7 @@ use super::support_forces::piece_at;
 /// contact pushes up, wherever it is, and at a distance `s` from the support
 ///
 /// ```text
-/// EI h'' = EI g'' + M ≥ EI g'' − ∫ |q| (ξ − s) dξ − Σ |P| (ξ − s) > 0,    h = 0 and h' ≥ 0 for s = 0:    h > 0
+/// EI h'' = EI g'' + M ≥ EI g'' − ∫ |q| (ξ − s) dξ − Σ |P| (ξ − s) − Σ |C| > 0,    h = 0 and h' ≥ 0 for s = 0:    h > 0
 /// ```
 ///
 /// Into ground that gives a beam may sink beside the support, `h' < 0`.
@@ -60,7 +60,9 @@ pub(super) fn bends_away(enclosed: &EnclosedScene<'_>, x: f64, end: f64, part: [
     let points = load.points.iter().filter(|(place, _)| beyond(*place));
     let points =
         points.map(|(place, force)| Interval::exact(force.magnitude()) * Interval::exact((place - x).abs() * OUTWARDS));
-    let bent = spread.chain(points).fold(Interval::ZERO, |sum, part| sum + part);
+    let couples = load.couples.iter().filter(|(place, _)| x.min(end) <= *place && *place <= x.max(end));
+    let couples = couples.map(|(_, couple)| Interval::exact(couple.magnitude()));
+    let bent = spread.chain(points).chain(couples).fold(Interval::ZERO, |sum, part| sum + part);
     let width = Interval::length(part[0], part[1]);
     let ground = enclosed.gap.about(part[0], part).derivative().derivative().times(Interval::exact(enclosed.stiffness));
     bent.hi() < ground.range(width).lo()
@@ -73,7 +75,7 @@ pub(super) fn opens(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, ends: [f6
     const HALVINGS: u32 = 16;
     let side = usize::from(ends[0].total_cmp(&x).is_eq());
     let is_tangent = enclosed.support(x).is_some_and(|support| keeps_slope(support, side));
-    if !is_tangent || pair.ground.is_some() || !enclosed.gap.is_smooth_between(ends[0], ends[1]) {
+    if !is_tangent || is_turned(enclosed, ends) || pair.ground.is_some() || !enclosed.gap.is_smooth_between(ends[0], ends[1]) {
         return false;
     }
     let (piece, stiffness) = (piece_at(pair, 0.5 * (ends[0] + ends[1])), Interval::exact(enclosed.stiffness));
@@ -123,7 +125,8 @@ fn keeps_slope(support: &EnclosedSupport, side: usize) -> bool {
 /// Whether a beam on the ground beside a support cannot leave it between there and a contact, where the ground presses.
 fn starts_along(enclosed: &EnclosedScene<'_>, support: &EnclosedSupport, side: usize) -> bool {
     let at_end = support.x <= 0.0 || enclosed.length <= support.x;
-    let hinged = || at_end && support.slope.is_none() && 0.0 <= enclosed.gap.jet(support.x, side == 0)[2].lo();
+    let is_turned = || is_turned(enclosed, [support.x, support.x]);
+    let hinged = || at_end && support.slope.is_none() && !is_turned() && 0.0 <= enclosed.gap.jet(support.x, side == 0)[2].lo();
     keeps_slope(support, side) || support.at_level[side] && hinged()
 }
 
@@ -168,13 +171,18 @@ pub(super) fn lies_idle(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, ends:
     pair.ground.is_none() && starts && idle() && reaches(enclosed, x, side).any(touches_beyond)
 }
 
-/// Whether no load pulls the beam off the ground on which it follows a part.
+/// Whether a couple acts in a part or at an end of it.
+fn is_turned(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2]) -> bool {
+    enclosed.load.couples.iter().any(|(place, couple)| from <= *place && *place <= to && 0.0 < couple.magnitude())
+}
+
+/// Whether no load pulls the beam off the ground on which it follows a part, and no couple turns it there.
 fn presses_all_along(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2]) -> bool {
     let breaks = [enclosed.load.breaks(from, to), enclosed.gap.breaks(from, to)].concat();
     let pushes = |x: &f64| 0.0 <= enclosed.load.point(*x).lo();
     let presses =
         |cell: &[f64; 2]| 0.0 <= pressure(enclosed, cell[0], *cell).range(Interval::length(cell[0], cell[1])).lo();
-    breaks.iter().all(pushes) && cells(from, to, breaks).iter().all(presses)
+    !is_turned(enclosed, [from, to]) && breaks.iter().all(pushes) && cells(from, to, breaks).iter().all(presses)
 }
 
 /// Whether contact is proven strictly between two places.

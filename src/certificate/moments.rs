@@ -30,6 +30,8 @@
 //! (V + P) w + |q| w²/2 + 3J/2 + √(5 gap EI/w)     least for w³ = 5 gap EI / 4 (V + P)²
 //! ```
 //!
+//! Couples are left out of all of this: both moments, without the steps that these make, are of the kind above, and the steps are known.
+//!
 //! Two solves of a beam with a kink at `x` bound `M*(x)` as well, since the energy is convex in the angle and its derivative is
 //! `−M*(x)`; but at one place each time, and to the root of what is rounded of an energy. A gap is of the size of the square of
 //! that, and this its third root.
@@ -50,7 +52,8 @@ pub(super) fn moments(enclosed: &EnclosedScene<'_>, pair: &Pair) -> [Option<Inte
     let pieces: Vec<([f64; 2], Polynomial)> = pair.pieces.iter().map(|p| ([p.from, p.to], moment(&p.v))).collect();
     let [greatest, least] = extremes(pieces.iter().copied());
     // Where the beam is not built in at an end, there is a moment of zero; couples by the ground beside it leave others near by.
-    let is_hinge = |x: f64| enclosed.support(x).is_none_or(|support| support.slope.is_none());
+    let is_loaded = |x: f64| enclosed.load.couples.iter().any(|(at, _)| at.total_cmp(&x).is_eq());
+    let is_hinge = |x: f64| enclosed.support(x).is_none_or(|support| support.slope.is_none()) && !is_loaded(x);
     let zero = if is_hinge(0.0) || is_hinge(length) { 0.0 } else { f64::NEG_INFINITY };
     let Some((error, is_known)) = error(enclosed, pair, &pieces) else { return [None; 2] };
     let around = Interval::around_zero(error);
@@ -69,7 +72,11 @@ fn error(enclosed: &EnclosedScene<'_>, pair: &Pair, pieces: &[([f64; 2], Polynom
     let EnclosedScene { stiffness, length, supports, load, .. } = *enclosed;
     let width = |ends: &[f64; 2]| Interval::length(ends[0], ends[1]);
     let jumps = pieces.windows(2).filter(|w| enclosed.support(w[1].0[0]).is_none());
-    let jump: f64 = jumps.map(|w| (w[1].1.at(Interval::ZERO) - w[0].1.at(width(&w[0].0))).magnitude()).sum();
+    let jump = |w: &[([f64; 2], Polynomial)]| {
+        let jump = w[1].1.at(Interval::ZERO) - w[0].1.at(width(&w[0].0)) - load.couple(w[1].0[0]);
+        jump.magnitude()
+    };
+    let jump: f64 = jumps.map(jump).sum();
     if pair.gap <= 0.0 {
         return Some((1.5 * jump * OUTWARDS, true));
     }

@@ -4,9 +4,9 @@ use super::kernel::interval::Interval;
 use super::kernel::load::EnclosedLoad;
 use super::kernel::polynomial::Polynomial;
 use super::kernel::proof::Piece;
-use crate::scene::Load;
+use crate::scene::{Concentrated, Load};
 
-/// `J(v) = ½∫EI v''² dx − ∫q v dx − Σ P v` of a deflection, (17) with point loads. Pieces end where the load changes.
+/// `J(v) = ½∫EI v''² dx − ∫q v dx − Σ P v − Σ C v'` of a deflection, (17) with point loads and couples. Pieces end where the load changes.
 pub(super) fn energy(pieces: &[Piece], load: &EnclosedLoad, stiffness: f64) -> Interval {
     let mut sum = Interval::ZERO;
     for Piece { from, to, v, .. } in pieces {
@@ -14,12 +14,14 @@ pub(super) fn energy(pieces: &[Piece], load: &EnclosedLoad, stiffness: f64) -> I
         let bent = v.derivative().derivative();
         let bending = bent.integral_of_product(&bent, width).not_negative() * Interval::exact(0.5 * stiffness);
         let done = Polynomial::new(&load.line(*from, [*from, *to])).integral_of_product(v, width)
-            + load.point(*from) * v.at(Interval::ZERO);
+            + load.point(*from) * v.at(Interval::ZERO)
+            + load.couple(*from) * v.derivative().at(Interval::ZERO);
         sum = sum + bending - done;
     }
     // At the right end no piece begins.
     if let Some(Piece { from, to, v, .. }) = pieces.last() {
-        sum = sum - load.point(*to) * v.at(Interval::length(*from, *to));
+        let width = Interval::length(*from, *to);
+        sum = sum - load.point(*to) * v.at(width) - load.couple(*to) * v.derivative().at(width);
     }
     sum
 }
@@ -50,11 +52,11 @@ pub(super) fn resultant(load: &Load, length: f64) -> Interval {
     let exact = Interval::exact;
     let linear =
         load.linear().iter().map(|q| exact(0.5) * (exact(q.start) + exact(q.end)) * (exact(q.to) - exact(q.from)));
-    let point = load.point().iter().map(|p| exact(p.force));
-    linear.chain(point).fold(exact(load.uniform()) * exact(length), |sum, part| sum + part)
+    let concentrated = load.concentrated().map(|Concentrated { at: _, force, couple: _ }| exact(force));
+    linear.chain(concentrated).fold(exact(load.uniform()) * exact(length), |sum, part| sum + part)
 }
 
-/// `∫ q (x − c)`, the moment of a load about a place.
+/// `∫ q (x − c)` with all couples, the moment of a load about a place.
 pub(super) fn moment(load: &Load, length: f64, about: f64) -> Interval {
     let exact = Interval::exact;
     let (lever, l) = (|x: f64| exact(x) - exact(about), exact(length));
@@ -62,6 +64,9 @@ pub(super) fn moment(load: &Load, length: f64, about: f64) -> Interval {
         let (width, start, end) = (exact(q.to) - exact(q.from), exact(q.start), exact(q.end));
         exact(0.5) * (start + end) * width * lever(q.from) + (start + end + end) * width * width / exact(6.0)
     });
-    let point = load.point().iter().map(|p| exact(p.force) * lever(p.at));
-    linear.chain(point).fold(exact(load.uniform()) * l * (exact(0.5) * l - exact(about)), |sum, part| sum + part)
+    let concentrated = load.concentrated().map(|Concentrated { at, force, couple }| match couple {
+        0.0 => exact(force) * lever(at),
+        couple => exact(force) * lever(at) + exact(couple),
+    });
+    linear.chain(concentrated).fold(exact(load.uniform()) * l * (exact(0.5) * l - exact(about)), |sum, part| sum + part)
 }

@@ -7,7 +7,7 @@
 //! With the places given they minimise the energy of the spans, and solve
 //!
 //! ```text
-//! EI v''(x−) = EI v''(x+),     EI v'' = 0 at an end of the beam, given by the loads beside an overhang
+//! EI v''(x−) = EI v''(x+) + C,     EI v'' = 0 at an end of the beam, given by the loads beside an overhang
 //! ∂v''(a)/∂θ_a = −4/L,  ∂v''(a)/∂θ_b = −2/L,     ∂v''(b)/∂θ_a = 2/L,  ∂v''(b)/∂θ_b = 4/L     in a span from a to b
 //! ```
 //!
@@ -251,6 +251,9 @@ fn changes(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Option<Vec<f6
             rows[i][1] += 2.0 * stiff;
             rows[i][3] -= span.end[2].middle();
         }
+    }
+    for (row, node) in rows.iter_mut().zip(nodes).zip(&is_hinge).filter(|(_, hinge)| **hinge).map(|(both, _)| both) {
+        row[3] += enclosed.load.couple(node.x).middle() / enclosed.stiffness;
     }
     tridiagonal(rows)
 }

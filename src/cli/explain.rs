@@ -120,6 +120,13 @@ impl Page {
         for x in &found.lifted {
             text += &format!("\nThe beam has lifted off the support at x = {}, which is no node.\n", self.number(*x));
         }
+        for (i, node) in found.nodes.iter().enumerate().filter(|(_, node)| node.couple != 0.0) {
+            let couple = self.number(node.couple);
+            text += &format!(
+                "\nA couple of {couple} acts at node {}: M right is M left + {couple}, and what a support adds.\n",
+                i + 1
+            );
+        }
         if shaped {
             text += "\nv counts from the own shape w0: it is level - w0 at a support and u - w0 on the ground.\n";
         }

@@ -62,6 +62,11 @@ fn load(scene: &Scene, labels: &Labels) -> String {
             .iter()
             .map(|part| format!("{} at {}", labels.force.value(part.force), labels.length.value(part.at))),
     );
+    parts.extend(
+        load.couple()
+            .iter()
+            .map(|part| format!("couple {} at {}", labels.moment.value(part.moment), labels.length.value(part.at))),
+    );
     few(&parts)
 }
 

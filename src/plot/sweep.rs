@@ -121,7 +121,7 @@ fn line(i: usize) -> Style {
 /// What a number is, in words, and its unit; empty where its path says it.
 fn name(quantity: Quantity, scene: &Scene) -> (&'static str, Option<String>) {
     let UnitLabels { length, force, pressure, moment } = UnitLabels::of(scene.units());
-    let stiffness = moment.zip(length.as_ref()).map(|(moment, length)| format!("{moment}·{length}"));
+    let stiffness = moment.as_ref().zip(length.as_ref()).map(|(moment, length)| format!("{moment}·{length}"));
     match quantity {
         Quantity::Length => ("length of the beam", length),
         Quantity::BendingStiffness => ("bending stiffness", stiffness),
@@ -130,6 +130,8 @@ fn name(quantity: Quantity, scene: &Scene) -> (&'static str, Option<String>) {
         Quantity::LinearStart(_) | Quantity::LinearEnd(_) => ("distributed load at its end", pressure),
         Quantity::PointAt(_) => ("place of the point load", length),
         Quantity::PointForce(_) => ("point load", force),
+        Quantity::CoupleAt(_) => ("place of the couple", length),
+        Quantity::CoupleMoment(_) => ("couple", moment),
         Quantity::SupportAt(_) => ("place of the support", length),
         Quantity::SupportLevel(_) => ("level of the support", length),
         Quantity::SupportSlope(_) => ("slope at the support", None),

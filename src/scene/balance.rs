@@ -16,7 +16,7 @@
 use std::cmp::Ordering;
 
 use super::error::{in_full, shown};
-use super::{Foundation, Scale, Scene, Support};
+use super::{Concentrated, Foundation, Scale, Scene, Support};
 use crate::double::Double;
 
 /// The resultant of all loads.
@@ -316,21 +316,21 @@ impl Sum {
     /// `W = ∫q`.
     fn of_forces(scene: &Scene) -> Self {
         let (mut sum, load, length) = (Self::NOTHING, scene.load(), scene.beam().length());
-        let (uniform, length) = (Double::exact(load.uniform()), Double::exact(length));
-        sum.add(uniform * length, 2.0 * (uniform * length).rounded().abs());
+        let (uniform, l) = (Double::exact(load.uniform()), Double::exact(length));
+        sum.add(uniform * l, 2.0 * (uniform * l).rounded().abs());
         for q in load.linear() {
             let (mean, width) =
                 (Double::exact(q.start) + Double::exact(q.end), Double::exact(q.to) - Double::exact(q.from));
             let size = 0.5 * (q.start.abs() + q.end.abs());
             sum.add(mean * width * Double::exact(0.5), size * (width.rounded() + q.to + q.from));
         }
-        for p in load.point() {
-            sum.add(Double::exact(p.force), p.force.abs());
+        for Concentrated { at: _, force, couple: _ } in load.concentrated() {
+            sum.add(Double::exact(force), force.abs());
         }
         sum
     }
 
-    /// `∫q (x − c)`, six times of which is a sum of products.
+    /// `∫q (x − c)` with all couples, six times of which is a sum of products.
     fn of_moments(scene: &Scene, about: f64) -> Self {
         let (mut sum, load, length) = (Self::NOTHING, scene.load(), scene.beam().length());
         let (uniform, l, c) = (load.uniform(), Double::exact(length), Double::exact(about));
@@ -349,11 +349,12 @@ impl Sum {
                 6.0 * size * width.rounded() * (places + width.rounded()),
             );
         }
-        for p in load.point() {
-            let lever = Double::exact(p.at) - c;
+        for Concentrated { at, force, couple } in load.concentrated() {
+            let lever = Double::exact(at) - c;
             // A load just above the place has no lever, whatever its last digit.
-            let known = if lever.rounded() == 0.0 { 0.0 } else { lever.rounded().abs() + p.at + about };
-            sum.add(Double::exact(6.0) * Double::exact(p.force) * lever, 6.0 * p.force.abs() * known);
+            let known = if lever.rounded() == 0.0 { 0.0 } else { lever.rounded().abs() + at + about };
+            let moment = Double::exact(force) * lever + Double::exact(couple);
+            sum.add(Double::exact(6.0) * moment, 6.0 * (force.abs() * known + couple.abs()));
         }
         Self { sum: sum.sum * Double::exact(1.0 / 6.0), within: sum.within / 6.0 }
     }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::{Foundation, Load, Scene, SceneError};
+use super::{Concentrated, Foundation, Load, Scene, SceneError};
 use crate::memory::can_be_had;
 
 /// `N = n + 1` equal intervals with `n` interior nodes; node `i` lies at `x_i = l i / N`, `i = 0 … N`.
@@ -197,14 +197,31 @@ impl Grid {
                 }
             }
         }
-        for part in load.point() {
-            let i = self.interval_of(part.at);
+        for Concentrated { at, force, couple } in load.concentrated() {
+            let i = self.interval_of(at);
             let (left, right) = (self.place(i), self.place(i + 1));
-            let to_right = part.force * ((part.at - left) / (right - left));
-            forces[i] += part.force - to_right;
+            let share = (at - left) / (right - left);
+            let to_right = force * share;
+            forces[i] += force - to_right;
             forces[i + 1] += to_right;
+            if couple != 0.0 {
+                self.add_couple(i, couple * (1.0 - share), &mut forces);
+                self.add_couple(i + 1, couple * share, &mut forces);
+            }
         }
         forces
+    }
+
+    /// Adds a couple at a node: it does its work at the slope there, `(v_{i+1} − v_{i−1})/2Δ`, at an end of the beam
+    /// `(−3 v₀ + 4 v₁ − v₂)/2Δ`, both exact but for terms of the order `Δ²`.
+    fn add_couple(&self, node: usize, couple: f64, forces: &mut [f64]) {
+        let unit = couple / (2.0 * self.spacing());
+        let shares: &[(usize, f64)] = match node {
+            0 => &[(0, -3.0), (1, 4.0), (2, -1.0)],
+            last if last == self.intervals => &[(last, 3.0), (last - 1, -4.0), (last - 2, 1.0)],
+            inside => &[(inside - 1, -1.0), (inside + 1, 1.0)],
+        };
+        shares.iter().for_each(|&(i, share)| forces[i] += share * unit);
     }
 
     /// The same at the nodes `first, first + 1, …`, as many as there is room for; zero behind the last one.

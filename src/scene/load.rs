@@ -1,4 +1,8 @@
-//! Loads: uniform, linear over a part of the beam, and point loads; all positive downwards, all added up.
+//! Loads: uniform, linear over a part of the beam, and point loads, all positive downwards; couples, positive where they turn like a
+//! positive slope. All are added up.
+//!
+//! Who computes with loads reads [`Load::spread`] and [`Load::concentrated`], of which the latter is taken apart by its fields: a new one
+//! is an error of the compiler wherever it has been forgotten.
 
 use super::Beam;
 use super::error::{SceneError, finite, on_beam};
@@ -36,12 +40,34 @@ pub struct PointLoad {
     pub force: f64,
 }
 
-/// All loads of a scene: `q(x)` of the paper, with point loads besides.
+/// A couple, a moment that acts from outside.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CoupleLoad {
+    /// Where it acts \[length\].
+    pub at: f64,
+    /// Positive where it turns like a positive slope of the deflection; the bending moment grows by it from left to right
+    /// \[force · length\].
+    pub moment: f64,
+}
+
+/// What acts at one place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Concentrated {
+    /// Where \[length\].
+    pub(crate) at: f64,
+    /// A force, positive downwards: the shear force falls by it \[force\].
+    pub(crate) force: f64,
+    /// A couple: the bending moment grows by it \[force · length\].
+    pub(crate) couple: f64,
+}
+
+/// All loads of a scene: `q(x)` of the paper, with point loads and couples besides.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Load {
     uniform: f64,
     linear: Vec<LinearLoad>,
     point: Vec<PointLoad>,
+    couple: Vec<CoupleLoad>,
 }
 
 impl Load {
@@ -66,10 +92,32 @@ impl Load {
             on_beam(Quantity::PointAt(i), load.at, beam.length())?;
             finite(Quantity::PointForce(i), load.force)?;
         }
-        let load = Self { uniform, linear, point };
-        let value = load.magnitude(beam.length());
+        Self { uniform, linear, point, couple: Vec::new() }.finite(beam)
+    }
+
+    /// The same loads with these couples, checked.
+    ///
+    /// # Errors
+    ///
+    /// A number that is not finite, a couple that is not on the beam, or loads whose sum overflows.
+    pub fn with_couples(self, beam: &Beam, couple: Vec<CoupleLoad>) -> Result<Self, SceneError> {
+        for (i, load) in couple.iter().enumerate() {
+            on_beam(Quantity::CoupleAt(i), load.at, beam.length())?;
+            finite(Quantity::CoupleMoment(i), load.moment)?;
+        }
+        Self { couple, ..self }.finite(beam)
+    }
+
+    /// The same loads, checked for a beam.
+    pub(super) fn checked(self, beam: &Beam) -> Result<Self, SceneError> {
+        Self::new(beam, self.uniform, self.linear, self.point)?.with_couples(beam, self.couple)
+    }
+
+    /// Refuses loads whose sum is not finite.
+    fn finite(self, beam: &Beam) -> Result<Self, SceneError> {
+        let value = self.magnitude(beam.length());
         if value.is_finite() {
-            Ok(load)
+            Ok(self)
         } else {
             Err(SceneError::Overflow { quantity: Quantity::TotalLoad, what: "the sum of all loads", value })
         }
@@ -102,13 +150,39 @@ impl Load {
         &self.point
     }
 
-    /// Sum of the magnitudes of all parts, `|q₀| l + Σ (|start| + |end|)/2 (to − from) + Σ |force|` \[force\]:
+    /// The couples.
+    #[must_use]
+    pub fn couple(&self) -> &[CoupleLoad] {
+        &self.couple
+    }
+
+    /// All that is spread over a part of a beam of this length, the uniform part first.
+    pub(crate) fn spread(&self, length: f64) -> impl Iterator<Item = LinearLoad> + '_ {
+        let uniform = LinearLoad { from: 0.0, to: length, start: self.uniform, end: self.uniform };
+        std::iter::once(uniform).chain(self.linear.iter().copied())
+    }
+
+    /// All that acts at single places, forces first.
+    pub(crate) fn concentrated(&self) -> impl Iterator<Item = Concentrated> + Clone + '_ {
+        let forces = self.point.iter().map(|&PointLoad { at, force }| Concentrated { at, force, couple: 0.0 });
+        let couple = |&CoupleLoad { at, moment }: &CoupleLoad| Concentrated { at, force: 0.0, couple: moment };
+        forces.chain(self.couple.iter().map(couple))
+    }
+
+    /// Places strictly inside a beam of this length where the load begins, ends or acts, in any order.
+    pub(crate) fn places(&self, length: f64) -> impl Iterator<Item = f64> + '_ {
+        let ends = self.linear.iter().flat_map(|part| [part.from, part.to]);
+        ends.chain(self.concentrated().map(|acts| acts.at)).filter(move |x| 0.0 < *x && *x < length)
+    }
+
+    /// Sum of the magnitudes of all parts, `|q₀| l + Σ (|start| + |end|)/2 (to − from) + Σ |force| + Σ |couple|/l` \[force\]:
     /// the scale of forces, not a resultant.
     #[must_use]
     pub fn magnitude(&self, length: f64) -> f64 {
         let linear: f64 = self.linear.iter().map(|q| 0.5 * (q.start.abs() + q.end.abs()) * (q.to - q.from)).sum();
         let point: f64 = self.point.iter().map(|p| p.force.abs()).sum();
-        self.uniform.abs() * length + linear + point
+        let couple: f64 = self.couple.iter().map(|c| c.moment.abs() / length).sum();
+        self.uniform.abs() * length + linear + point + couple
     }
 
     /// Resultant of all parts, positive downwards: `q₀ l + Σ (start + end)/2 (to − from) + Σ force` \[force\].
@@ -144,6 +218,7 @@ impl Load {
                 point.push(PointLoad { at: part.to, force });
             }
         }
-        Self { uniform: density(self.uniform), linear, point }
+        let couple = self.couple.iter().map(|c| CoupleLoad { at: place(c.at), moment: c.moment / force / length });
+        Self { uniform: density(self.uniform), linear, point, couple: couple.collect() }
     }
 }

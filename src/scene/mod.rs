@@ -29,7 +29,8 @@ pub use far_depths::FarDepths;
 pub use foundation::Foundation;
 pub use grid::Grid;
 pub(crate) use grid::is_same_place;
-pub use load::{LinearLoad, Load, PointLoad};
+pub(crate) use load::Concentrated;
+pub use load::{CoupleLoad, LinearLoad, Load, PointLoad};
 pub use number::PathError;
 pub use quantity::{Profile, ProfileKey, Quantity};
 pub use scale::{Scale, Scaled};
@@ -79,7 +80,7 @@ impl Scene {
         foundation: Option<Foundation>,
         stiffness: Option<f64>,
     ) -> Result<Self, SceneError> {
-        let load = Load::new(&beam, load.uniform(), load.linear().to_vec(), load.point().to_vec())?;
+        let load = load.checked(&beam)?;
         let stiffness = stiffness.map(|k| error::positive(Quantity::GroundStiffness, k)).transpose()?;
         let checked = |foundation: Foundation| match stiffness {
             None => foundation.checked(&beam),

@@ -1,7 +1,7 @@
 //! A number of a scene by its path, as a scene file would write it: what it is, and the same scene with another value.
 
 use super::quantity::{Profile, ProfileKey, Quantity};
-use super::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene, SceneError, Support};
+use super::{Beam, CoupleLoad, Foundation, LinearLoad, Load, PointLoad, Scene, SceneError, Support};
 
 /// A path that leads to no number of the scene that can be varied.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -84,13 +84,13 @@ impl Scene {
                 *number = value;
             }
         }
-        let Numbers { stiffness, supports, shape, uniform, linear, point, foundation, springs } = numbers;
+        let Numbers { stiffness, supports, shape, uniform, linear, point, couple, foundation, springs } = numbers;
         let beam = Beam::new(self.beam.length(), stiffness)?.with_supports(supports)?;
         let beam = match shape {
             Some(shape) => beam.with_shape(shape)?,
             None => beam,
         };
-        let load = Load::new(&beam, uniform, linear, point)?;
+        let load = Load::new(&beam, uniform, linear, point)?.with_couples(&beam, couple)?;
         Ok(Self::above(beam, load, foundation, springs)?.labelled(self.title.clone(), self.units.clone()))
     }
 
@@ -130,6 +130,8 @@ impl Scene {
         groups.extend(ends.map(|of| Group::each(of, linear)));
         let point = self.load.point().len();
         groups.extend([Quantity::PointAt, Quantity::PointForce].map(|of| Group::each(of, point)));
+        let couple = self.load.couple().len();
+        groups.extend([Quantity::CoupleAt, Quantity::CoupleMoment].map(|of| Group::each(of, couple)));
         groups.extend(self.foundation.iter().flat_map(|foundation| groups_of(Profile::Foundation, foundation)));
         groups.extend(self.ground_stiffness().map(|_| Group::one(Quantity::GroundStiffness)));
         groups
@@ -240,6 +242,7 @@ struct Numbers {
     uniform: f64,
     linear: Vec<LinearLoad>,
     point: Vec<PointLoad>,
+    couple: Vec<CoupleLoad>,
     foundation: Option<Foundation>,
     springs: Option<f64>,
 }
@@ -254,6 +257,7 @@ impl Numbers {
             uniform: load.uniform(),
             linear: load.linear().to_vec(),
             point: load.point().to_vec(),
+            couple: load.couple().to_vec(),
             foundation: scene.foundation().cloned(),
             springs: scene.stiffness,
         }
@@ -271,6 +275,8 @@ impl Numbers {
             Quantity::LinearEnd(i) => self.linear.get_mut(i).map(|load| &mut load.end),
             Quantity::PointAt(i) => self.point.get_mut(i).map(|load| &mut load.at),
             Quantity::PointForce(i) => self.point.get_mut(i).map(|load| &mut load.force),
+            Quantity::CoupleAt(i) => self.couple.get_mut(i).map(|load| &mut load.at),
+            Quantity::CoupleMoment(i) => self.couple.get_mut(i).map(|load| &mut load.moment),
             Quantity::SupportAt(i) => self.supports.get_mut(i).map(|support| &mut support.at),
             Quantity::SupportLevel(i) => self.supports.get_mut(i).map(|support| &mut support.level),
             Quantity::SupportSlope(i) => self.supports.get_mut(i)?.slope.as_mut(),

@@ -15,6 +15,8 @@ pub enum Quantity {
     LinearEnd(usize),
     PointAt(usize),
     PointForce(usize),
+    CoupleAt(usize),
+    CoupleMoment(usize),
     SupportAt(usize),
     SupportLevel(usize),
     SupportSlope(usize),
@@ -82,6 +84,8 @@ pub enum Kind {
     Length,
     /// A force.
     Force,
+    /// A force times a length.
+    Moment,
     /// A force per length.
     Intensity,
     /// A slope, or an angle in radians.
@@ -103,6 +107,7 @@ impl Quantity {
             Self::GroundStiffness => Kind::GroundStiffness,
             Self::Uniform | Self::LinearStart(_) | Self::LinearEnd(_) => Kind::Intensity,
             Self::PointForce(_) => Kind::Force,
+            Self::CoupleMoment(_) => Kind::Moment,
             Self::SupportSlope(_) | Self::Profile(_, ProfileKey::Phase) => Kind::Angle,
             Self::Profile(_, ProfileKey::Coefficient(i)) if 0 < i => Kind::Coefficient(i),
             Self::Supports | Self::TotalLoad | Self::Profile(_, ProfileKey::Whole) => return None,
@@ -110,6 +115,7 @@ impl Quantity {
             | Self::LinearFrom(_)
             | Self::LinearTo(_)
             | Self::PointAt(_)
+            | Self::CoupleAt(_)
             | Self::SupportAt(_)
             | Self::SupportLevel(_)
             | Self::Profile(..) => Kind::Length,
@@ -129,6 +135,8 @@ impl fmt::Display for Quantity {
             Self::LinearEnd(i) => write!(f, "load.linear[{i}].end"),
             Self::PointAt(i) => write!(f, "load.point[{i}].at"),
             Self::PointForce(i) => write!(f, "load.point[{i}].force"),
+            Self::CoupleAt(i) => write!(f, "load.couple[{i}].at"),
+            Self::CoupleMoment(i) => write!(f, "load.couple[{i}].moment"),
             Self::SupportAt(i) => write!(f, "beam.supports[{i}].at"),
             Self::SupportLevel(i) => write!(f, "beam.supports[{i}].level"),
             Self::SupportSlope(i) => write!(f, "beam.supports[{i}].slope"),

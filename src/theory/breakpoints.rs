@@ -5,7 +5,7 @@ use super::piecewise::{AtSupport, Breakpoint, Cell, PiecewiseScene};
 use super::shape::Shape;
 use super::tension::tension_intervals;
 use crate::scene::pieces::without_collinear_points;
-use crate::scene::{Beam, Bearing, Foundation, Held, Load, Scene, polynomial};
+use crate::scene::{Beam, Bearing, Concentrated, Foundation, Held, Load, Scene, polynomial};
 
 /// A cosine is cut into cells of at most this angle \[rad\]: 22 terms of its Taylor series are then exact to
 /// `0.8²²/22! < 10⁻²³`, and its fourth derivative to `0.8¹⁸/18! < 10⁻¹⁷`.
@@ -103,8 +103,7 @@ fn at_support(
 fn places(profiles: &[Option<&Foundation>], load: &Load, beam: &Beam, ends: &[f64]) -> Vec<f64> {
     let mut places = ends.to_vec();
     places.extend(beam.supports().iter().chain(beam.bearings()).map(|support| support.at));
-    places.extend(load.linear().iter().flat_map(|q| [q.from, q.to]));
-    places.extend(load.point().iter().map(|p| p.at));
+    places.extend(load.places(beam.length()));
     places.extend([0.0, beam.length()]);
     for profile in profiles.iter().flatten() {
         if let Foundation::Polynomial { coefficients } = profile
@@ -137,11 +136,12 @@ fn break_at_bearings(bearings: &[Bearing], length: f64, shapes: &mut Vec<Shape>,
 
 /// What is between the breakpoints.
 fn cells(load: &Load, stiffness: f64, places: &[f64], ends: &[f64]) -> Vec<Cell> {
+    let length = places.last().copied().unwrap_or(0.0);
     let cell = |w: &[f64]| {
         let (lo, hi) = (w[0], w[1]);
         let shape = ends.partition_point(|&end| end <= lo);
-        let (mut at_lo, mut slope) = (load.uniform(), 0.0);
-        for q in load.linear().iter().filter(|q| q.from <= lo && hi <= q.to) {
+        let (mut at_lo, mut slope) = (0.0, 0.0);
+        for q in load.spread(length).filter(|q| q.from <= lo && hi <= q.to) {
             at_lo += q.intensity(lo);
             slope += (q.end - q.start) / (q.to - q.from);
         }
@@ -171,14 +171,16 @@ fn breakpoints(
             breakpoint.kink = b[1] - a[1];
         }
     }
-    for p in load.point() {
-        let i = places.partition_point(|&x| x < p.at).min(breakpoints.len() - 1);
-        breakpoints[i].force += p.force / stiffness;
+    for Concentrated { at, force, couple } in load.concentrated() {
+        let i = places.partition_point(|&x| x < at).min(breakpoints.len() - 1);
+        breakpoints[i].force += force / stiffness;
+        // The moment grows by it, and `v''` falls.
+        breakpoints[i].couple -= couple / stiffness;
     }
     breakpoints
 }
 
-/// The breakpoints between two cells under different lines of load, or under a force; all of them if the ground is not straight.
+/// The breakpoints between two cells under different lines of load, or under a force or a couple; all of them if the ground is not straight.
 fn run_ends(cells: &[Cell], breakpoints: &[Breakpoint], is_straight: bool) -> Vec<usize> {
     /// Rounding of a line that is evaluated in two cells, as a share of the load.
     const ROUNDING: f64 = 4.0 * f64::EPSILON;
@@ -187,7 +189,7 @@ fn run_ends(cells: &[Cell], breakpoints: &[Breakpoint], is_straight: bool) -> Ve
         let cell = &cells[*i];
         let jump = (start.load + start.load_slope * (cell.lo - start.lo) - cell.load).abs();
         let is_one = start.load_slope.to_bits() == cell.load_slope.to_bits() && jump <= ROUNDING * cell.load.abs();
-        let ends = !is_straight || !is_one || breakpoints[*i].force != 0.0;
+        let ends = !is_straight || !is_one || breakpoints[*i].is_loaded();
         if ends {
             start = cell;
         }
@@ -280,10 +282,12 @@ fn lines_of(points: &[[f64; 2]], length: f64) -> (Vec<Shape>, Vec<Break>) {
     (shapes, breaks.collect())
 }
 
-/// Magnitudes of the loads that do not stand on a support, which say how large forces and moments are. One that stands on a support goes
-/// through it, however large it is.
+/// Magnitudes of the loads that do not stand on a support, which say how large forces and moments are, of couples over the length of the
+/// beam. A force that stands on a support goes through it, however large it is.
 fn load_between_supports(given: &PiecewiseScene) -> f64 {
-    let between = |(i, breakpoint): (usize, &Breakpoint)| given.support_at(i).map_or(breakpoint.force.abs(), |_| 0.0);
+    let between = |(i, breakpoint): (usize, &Breakpoint)| {
+        given.support_at(i).map_or(breakpoint.force.abs(), |_| 0.0) + breakpoint.couple.abs() / given.length
+    };
     let spread = |cell: &Cell| {
         let width = cell.hi - cell.lo;
         0.5 * width * (cell.load.abs() + (cell.load + width * cell.load_slope).abs())

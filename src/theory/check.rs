@@ -114,7 +114,7 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Check {
         judge.pulls(given, zone);
     }
     for (i, (node, [left, right])) in list.nodes.iter().zip(&moments).enumerate() {
-        let (at, jump) = (node.x, right - left);
+        let (at, jump) = (node.x, right - left + node.couple(given));
         if let Some(index) = node.support(given) {
             let rests = list.rests(i);
             if let Some(moment) = pulling_couple(given, index, rests, jump) {

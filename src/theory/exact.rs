@@ -269,8 +269,9 @@ impl Exact {
 /// The moment that foundation and a simple support exert on the beam together at an end of it.
 fn couple(given: &PiecewiseScene, list: &List, moments: &[[f64; 2]], end: f64) -> f64 {
     let at_end = |node: &Node| node.is_held() && node.support(given).is_some() && node.x <= end && end <= node.x;
-    let [left, right] = list.nodes.iter().position(at_end).map_or([0.0; 2], |i| moments[i]);
-    if end <= 0.0 { right } else { left }
+    let Some(i) = list.nodes.iter().position(at_end) else { return 0.0 };
+    let ([left, right], own) = (moments[i], list.nodes[i].couple(given));
+    if end <= 0.0 { right + own } else { left - own }
 }
 
 /// Values at one side of a place: where a force acts, shear has one value to the left of it and another to the right.
@@ -312,12 +313,13 @@ impl Exact {
                 shear,
             };
             let jumps = self.state.contacts.iter().any(|c| sits_at(c.from, x) || sits_at(c.to, x));
-            let loaded = scene.load().point().iter().any(|load| sits_at(load.at, x));
+            let loaded = scene.load().concentrated().any(|acts| sits_at(acts.at, x));
             let supported = scene.beam().all_supports().iter().any(|support| sits_at(support.at, x));
             let inside = 0.0 < x && x < length;
             if 0.0 < x && (!inside || jumps || loaded || supported) {
                 // Pressure is that of the right-hand side; a step to the left is that of the other.
-                let moment = if supported { bent_left } else { bent_right };
+                let turned = scene.load().couple().iter().any(|load| sits_at(load.at, x));
+                let moment = if supported || turned { bent_left } else { bent_right };
                 samples.push(sample(self.pressure(x.next_down()), moment, left));
             }
             if x < length {
@@ -333,8 +335,7 @@ impl Exact {
         let mut places: Vec<f64> = even.collect();
         places.extend(self.springs.iter().flat_map(Springs::places).map(|x| x * self.scale.length));
         places.extend(self.state.contacts.iter().flat_map(|c| [c.from, c.to]));
-        places.extend(scene.load().point().iter().map(|load| load.at));
-        places.extend(scene.load().linear().iter().flat_map(|load| [load.from, load.to]));
+        places.extend(scene.load().places(length));
         places.extend(scene.beam().all_supports().iter().map(|s| s.at).filter(|&at| 0.0 < at && at < length));
         for profile in scene.foundation().into_iter().chain(scene.beam().shape()) {
             if let Foundation::Polyline { points } = profile {

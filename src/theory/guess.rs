@@ -3,12 +3,14 @@
 //!
 //! Samples are few where nothing touches, and are refined where the chain lifts off and where a list failed its check.
 
+mod turned;
+
 use std::ops::Range;
 
 use super::chain::{Chain, ChainSample, Guess};
 use super::list::{List, Node};
 use super::normal::{edge_node, merged};
-use super::piecewise::PiecewiseScene;
+use super::piecewise::{Breakpoint, PiecewiseScene};
 use super::tension::zones_between;
 
 /// Sampled places of the profile, from end to end.
@@ -195,9 +197,9 @@ impl Samples {
                 samples[i].load += force - lever / length;
                 samples[i + 1].load += lever / length;
                 if a < c.lo {
-                    let force = given.breakpoints[cell].force;
-                    samples[i].load += force * (b - c.lo) / length;
-                    samples[i + 1].load += force * (c.lo - a) / length;
+                    let Breakpoint { force, couple, .. } = given.breakpoints[cell];
+                    samples[i].load += (force * (b - c.lo) + couple) / length;
+                    samples[i + 1].load += (force * (c.lo - a) - couple) / length;
                 }
             }
             if a <= given.cells[self.cell[i]].lo {
@@ -221,6 +223,7 @@ impl Samples {
         if let (Some(sample), Some(end)) = (samples.last_mut(), given.breakpoints.last()) {
             sample.load += end.force;
         }
+        self.turn(given, &mut samples);
         self.solve(given, &mut samples)
     }
 

@@ -288,6 +288,14 @@ impl Node {
         })
     }
 
+    /// By how much a couple that acts at the node makes `v''` jump.
+    pub(super) fn couple(&self, given: &PiecewiseScene) -> f64 {
+        match self.breakpoint {
+            Some(i) => given.breakpoints[i].couple,
+            None => given.exactly_at(self.x, self.cell).map_or(0.0, |at| at.couple),
+        }
+    }
+
     /// The cells to its right and to its left.
     fn cells(&self, given: &PiecewiseScene) -> [usize; 2] {
         match self.breakpoint {
@@ -309,7 +317,9 @@ impl Node {
         if let EndCondition::Edge { height, level, .. } = end.hold
             && self.held_slope(given).is_none()
         {
-            end.hold = EndCondition::Hinge { height, level, curvature: Overhang::of(given, self.x, at_left).moment };
+            let couple = if at_left { self.couple(given) } else { -self.couple(given) };
+            let curvature = Overhang::of(given, self.x, at_left).moment + couple;
+            end.hold = EndCondition::Hinge { height, level, curvature };
         }
     }
 

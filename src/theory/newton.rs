@@ -85,7 +85,7 @@ fn response([left, right]: [Option<Unknown>; 2], span: &Span) -> [[f64; 2]; 2] {
     }
 }
 
-/// The equation of a node, `h''(x−) − h''(x+) = 0` with zero for the side of a zone. At an edge it says the same of `v''`, as the
+/// The equation of a node, `h''(x−) − h''(x+) = C` with the couple that acts there, and zero for the side of a zone. At an edge it says the same of `v''`, as the
 /// profile has breaks of its depth and slope, and of no higher derivative. A node without unknown does not move.
 #[derive(Debug, Clone, Copy)]
 struct Row {
@@ -93,7 +93,7 @@ struct Row {
     unknown: Option<Unknown>,
     /// How the jump depends on the node to the left, this node and the node to the right.
     derivative: [f64; 3],
-    /// `h''(x−) − h''(x+)`.
+    /// `h''(x−) − h''(x+) − C`.
     jump: f64,
     /// Newton's step.
     step: f64,
@@ -111,7 +111,8 @@ fn equations(given: &PiecewiseScene, list: &List, spans: impl Iterator<Item = (u
             // A load just here is in neither span, but moving on in either direction would put it into one of them.
             Some(Unknown::Place) => -given.force_at(node.x, node.cell).max(0.0),
         };
-        Row { unknown, derivative: [0.0, middle, 0.0], jump: 0.0, step: 0.0 }
+        let couple = if unknown.is_some() { node.couple(given) } else { 0.0 };
+        Row { unknown, derivative: [0.0, middle, 0.0], jump: 0.0 - couple, step: 0.0 }
     };
     let mut rows: Vec<Row> = list.nodes.iter().enumerate().map(row).collect();
     for (right, span) in spans {

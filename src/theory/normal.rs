@@ -202,7 +202,8 @@ pub(super) fn reaching_free_ends(given: &PiecewiseScene, list: &List) -> Option<
         let [bend, rate] = [2, 3].map(|order| given.derivative(zone.cell, end.x, order).abs());
         let straight = bend <= STRAIGHT * STRAIGHT * given.length * rate;
         let beside = zone.is_of_zone() && (zone.x - end.x).abs() <= STRAIGHT * given.length;
-        let free = end.is_ground(given) && end.breakpoint.is_some_and(|i| given.is_free_end(i));
+        let free =
+            end.is_ground(given) && end.couple(given) == 0.0 && end.breakpoint.is_some_and(|i| given.is_free_end(i));
         (free && straight && beside).then(|| Node::tip(given, end.x <= 0.0))
     };
     let mut nodes = list.nodes.clone();

@@ -40,7 +40,7 @@ pub(super) struct Breakpoint {
 
 impl Breakpoint {
     /// True if a force or a couple acts there.
-    fn is_loaded(&self) -> bool {
+    pub(super) fn is_loaded(&self) -> bool {
         self.force != 0.0 || self.couple != 0.0
     }
 }
@@ -244,7 +244,7 @@ impl PiecewiseScene {
         [i.saturating_sub(1), i.min(self.cells.len() - 1)]
     }
 
-    /// True if the load is not one straight line across breakpoint `i`; at an end of the beam, if a point load stands there.
+    /// True if the load is not one straight line across breakpoint `i`; at an end of the beam, if a point load or a couple is there.
     pub(super) fn load_changes_at(&self, i: usize) -> bool {
         /// Rounding of a line that is evaluated in two cells.
         const ROUNDING: f64 = 1e-9;
@@ -252,7 +252,7 @@ impl PiecewiseScene {
         let (left, right) = (&self.cells[before], &self.cells[beyond]);
         let jump = (self.load(before, x) - self.load(beyond, x)).abs();
         let turn = (left.load_slope - right.load_slope).abs() * self.length;
-        self.breakpoints[i].force != 0.0
+        self.breakpoints[i].is_loaded()
             || ROUNDING * (left.load.abs() + right.load.abs() + right.load_slope.abs() * self.length) < jump.max(turn)
     }
 
@@ -322,14 +322,15 @@ impl PiecewiseScene {
         self.breakpoints.get(breakpoint).filter(|j| j.x <= x).map(|_| breakpoint)
     }
 
+    /// The breakpoint exactly at `x`, which most likely lies in cell `near`.
+    pub(super) fn exactly_at(&self, x: f64, near: usize) -> Option<&Breakpoint> {
+        let c = &self.cells[near];
+        if c.lo < x && x < c.hi { None } else { self.breakpoint_at(x).map(|breakpoint| &self.breakpoints[breakpoint]) }
+    }
+
     /// Point load exactly at `x`, which most likely lies in cell `near`.
     pub(super) fn force_at(&self, x: f64, near: usize) -> f64 {
-        let c = &self.cells[near];
-        if c.lo < x && x < c.hi {
-            0.0
-        } else {
-            self.breakpoint_at(x).map_or(0.0, |breakpoint| self.breakpoints[breakpoint].force)
-        }
+        self.exactly_at(x, near).map_or(0.0, |breakpoint| breakpoint.force)
     }
 
     /// The breakpoints between cell `first` and cell `last`.
@@ -342,11 +343,12 @@ impl PiecewiseScene {
         self.free_ends[0] && i == 0 || self.free_ends[1] && i == self.cells.len()
     }
 
-    /// True if the profile is straight beside the free end at breakpoint `i`, so that a zone may reach it.
+    /// True if the profile is straight beside the free end at breakpoint `i`, where no couple acts, so that a zone may reach it.
     pub(super) fn is_flat_end(&self, i: usize) -> bool {
         let [_, cell] = self.cells_beside(i);
         self.is_free_end(i)
             && !self.is_bearing(i)
+            && self.breakpoints[i].couple == 0.0
             && self.shapes[self.cells[cell].shape].degree().is_some_and(|degree| degree < 2)
     }
 

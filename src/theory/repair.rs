@@ -124,8 +124,8 @@ impl Repair<'_> {
         }
     }
 
-    /// A zone that reaches a free end lifts off before it, if it pulls there or the ground is bent. In a hollow, which bends the
-    /// other way than the overhang, the end of the beam touches besides.
+    /// A zone that reaches a free end lifts off before it, if it pulls there, the ground is bent or a couple acts. In a hollow, which bends
+    /// the other way than the overhang, the end of the beam touches besides, and so it does where a couple bends it more than the ground.
     fn lift_tip(&mut self, i: usize) {
         let (given, nodes) = (self.given, &self.list.nodes);
         let Some(&tip) = nodes.get(i).filter(|node| node.is_tip(given)) else { return };
@@ -135,7 +135,8 @@ impl Repair<'_> {
         self.keep[i] = false;
         let cell = given.cell_from(place);
         self.added.push(if left { Node::start(place, cell) } else { Node::end(place, cell) });
-        if given.derivative(tip.cell, tip.x, 2) < 0.0 {
+        let bent = if left { tip.couple(given) } else { -tip.couple(given) };
+        if given.derivative(tip.cell, tip.x, 2) < bent {
             self.added.push(edge_node(given, if left { 0 } else { given.cells.len() }));
         }
     }

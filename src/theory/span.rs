@@ -182,10 +182,10 @@ impl Span {
         let sign = if at_left { 1.0 } else { -1.0 };
         let level = held.hold.level(profiles[0][0]);
         let beam_held = [level, slope, moment, sign * force];
-        // A load just at the free end is that of the shear force beside it.
+        // A load just at the free end is that of the shear force beside it, a couple that of the moment.
         let at_end = if at_left { given.breakpoints.first() } else { given.breakpoints.last() };
-        let shear = at_end.map_or(0.0, |end| end.force);
-        let beam_free = [level - sign * slope * length + sag, slope - sign * turn, 0.0, sign * shear];
+        let [shear, couple] = at_end.map_or([0.0; 2], |end| [end.force, end.couple]);
+        let beam_free = [level - sign * slope * length + sag, slope - sign * turn, sign * couple, sign * shear];
         let mut at_held = difference(&profiles[0], &beam_held);
         at_held[0] = held.hold.height();
         if held.hold == EndCondition::Resting {

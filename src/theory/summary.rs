@@ -42,7 +42,7 @@ fn supports(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -> Vec<Su
             at: node.x,
             force: (force + given.breakpoints[support.breakpoint].force) * stiffness,
             moment: support.built_in.then_some(moment * stiffness),
-            couple: if support.built_in { (right - left) * stiffness } else { 0.0 },
+            couple: if support.built_in { (right - left + node.couple(given)) * stiffness } else { 0.0 },
             pushes_only: false,
         })
     });
@@ -87,7 +87,7 @@ fn on_the_beam(x: f64, length: f64) -> f64 {
     if (x - nearest).abs() <= PLACE * length { nearest } else { x }
 }
 
-/// `J / EI = ∫ ½ v''² − q v dx − Σ P v`, every integral exact.
+/// `J / EI = ∫ ½ v''² − q v dx − Σ P v − Σ C v'`, every integral exact.
 fn energy(given: &PiecewiseScene, pieces: &[Piece]) -> f64 {
     let mut taylor = vec![0.0; given.terms];
     let mut sum = 0.0;
@@ -104,7 +104,8 @@ fn energy(given: &PiecewiseScene, pieces: &[Piece]) -> f64 {
         let i = pieces.partition_point(|p| p.hi < breakpoint.x).min(pieces.len() - 1);
         let piece = &pieces[i];
         piece.deflection(given, &mut taylor);
-        sum -= breakpoint.force * derivatives(&taylor, breakpoint.x.max(piece.lo).min(piece.hi) - piece.anchor)[0];
+        let [v, v1, ..] = derivatives(&taylor, breakpoint.x.max(piece.lo).min(piece.hi) - piece.anchor);
+        sum += breakpoint.couple * v1 - breakpoint.force * v;
     }
     sum
 }

@@ -3,7 +3,7 @@
 
 use super::bernstein::{lowest_below, sign_changes};
 use super::list::Node;
-use super::piecewise::PiecewiseScene;
+use super::piecewise::{Breakpoint, PiecewiseScene};
 use super::span::{End, Span};
 
 /// Taylor coefficients of the pressure of a zone at the left end of `cell`.
@@ -26,7 +26,8 @@ pub(super) fn pressure(given: &PiecewiseScene, cell: usize) -> Vec<f64> {
     pressure
 }
 
-/// Stretches in which a zone would pull at the beam, from left to right; a point load that does so is one without length.
+/// Stretches in which a zone would pull at the beam, from left to right; a point load that does so is one without length, and so is a
+/// couple: the moment of a beam that follows the ground does not jump.
 pub(super) fn tension_intervals(given: &PiecewiseScene) -> Vec<(f64, f64)> {
     /// Rounding of `q` and `u''''` against each other.
     const ROUNDING: f64 = 1e-13;
@@ -36,7 +37,7 @@ pub(super) fn tension_intervals(given: &PiecewiseScene) -> Vec<(f64, f64)> {
         _ => found.push((from, to)),
     };
     for (i, cell) in given.cells.iter().enumerate() {
-        if given.breakpoints[i].force < 0.0 {
+        if given.breakpoints[i].force < 0.0 || given.breakpoints[i].couple != 0.0 {
             add(cell.lo, cell.lo);
         }
         let width = cell.hi - cell.lo;
@@ -61,13 +62,14 @@ pub(super) fn tension_intervals(given: &PiecewiseScene) -> Vec<(f64, f64)> {
     found
 }
 
-/// How much a zone would pull on the average between `lo` and `hi`, or at these two; a point load that pulls, spread over
+/// How much a zone would pull on the average between `lo` and `hi`, or at these two; a point load that pulls, or a couple, spread over
 /// the beam, if there is one.
 pub(super) fn mean_pull(given: &PiecewiseScene, lo: f64, hi: f64) -> f64 {
     let (first, last) = (given.cell_from(lo), given.cell_to(hi).max(given.cell_from(lo)));
     let from = given.breakpoints.partition_point(|j| j.x < lo);
     let inside = given.breakpoints[from..].iter().take_while(|j| j.x <= hi);
-    let point = -inside.map(|j| j.force.min(0.0)).sum::<f64>() / given.length;
+    let lifts = |j: &Breakpoint| j.couple.abs() / given.length - j.force.min(0.0);
+    let point = inside.map(lifts).sum::<f64>() / given.length;
     if hi <= lo {
         return point;
     }
@@ -111,7 +113,7 @@ fn gap_around(given: &PiecewiseScene, [lo, hi]: [f64; 2], [least, most]: [f64; 2
     const WIDER: f64 = 1.3;
     /// From a thousand-millionth of the beam to the whole of it, on either side.
     const TRIES: u32 = 150;
-    let mut margin = [(0.1 * (hi - lo)).max(1e-9 * given.length); 2];
+    let mut margin = margin_of_couple(given, lo, hi).unwrap_or([(0.1 * (hi - lo)).max(1e-9 * given.length); 2]);
     let mut gap = [lo, hi];
     for _ in 0..TRIES {
         gap = [(lo - margin[0]).max(least), (hi + margin[1]).min(most)];
@@ -127,6 +129,26 @@ fn gap_around(given: &PiecewiseScene, [lo, hi]: [f64; 2], [least, most]: [f64; 2
         }
     }
     gap
+}
+
+/// Somewhat more than the parts of the gap that a couple `C` makes under a pressure `p`, on the left and on the right of it, of the whole
+///
+/// ```text
+/// ℓ² = 2√3 |C|/p,     (3 + √3)/6 ℓ and (3 − √3)/6 ℓ
+/// ```
+///
+/// which is exact as `C → 0`: at both ends `h'' = 0`.
+fn margin_of_couple(given: &PiecewiseScene, lo: f64, hi: f64) -> Option<[f64; 2]> {
+    /// By how much each part is longer.
+    const MORE: f64 = 1.05;
+    let at = given.breakpoint_at(lo).filter(|_| hi <= lo)?;
+    let [_, cell] = given.cells_beside(at);
+    let (couple, pressure) = (given.breakpoints[at].couple, -given.drive(cell, lo));
+    let root = 3.0_f64.sqrt();
+    let length = MORE * (2.0 * root * couple.abs() / pressure).sqrt();
+    let [long, short] = [(3.0 + root) / 6.0 * length, (3.0 - root) / 6.0 * length];
+    let margin = if couple < 0.0 { [long, short] } else { [short, long] };
+    (0.0 < length && length.is_finite()).then_some(margin)
 }
 
 /// The span that bridges a gap, resting on the profile at both ends.

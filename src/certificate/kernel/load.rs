@@ -1,7 +1,7 @@
-//! The true load, distributed as it is: linear on pieces, with point loads between them.
+//! The true load, distributed as it is: linear on pieces, with point loads and couples between them.
 
 use super::interval::Interval;
-use crate::scene::Scene;
+use crate::scene::{Concentrated, Scene};
 
 /// The load of a scene by pieces.
 #[derive(Debug, Clone)]
@@ -12,6 +12,8 @@ pub(crate) struct EnclosedLoad {
     lines: Vec<[Interval; 2]>,
     /// Places and forces, from left to right.
     pub(crate) points: Vec<(f64, Interval)>,
+    /// Places and couples, by which the moment grows, from left to right.
+    pub(crate) couples: Vec<(f64, Interval)>,
 }
 
 impl EnclosedLoad {
@@ -26,18 +28,25 @@ impl EnclosedLoad {
                 lines[piece] = [0, 1].map(|k| lines[piece][k] + at(ends[piece + k]));
             }
         }
-        let mut points: Vec<_> = load.point().iter().map(|p| (p.at, Interval::exact(p.force))).collect();
-        points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        Self { ends, lines, points }
+        let mut acting: Vec<Concentrated> = load.concentrated().collect();
+        acting.sort_by(|a, b| a.at.total_cmp(&b.at));
+        let (mut points, mut couples) = (Vec::with_capacity(acting.len()), Vec::new());
+        for Concentrated { at, force, couple } in acting {
+            points.extend((force != 0.0 || couple == 0.0).then_some((at, Interval::exact(force))));
+            couples.extend((couple != 0.0).then_some((at, Interval::exact(couple))));
+        }
+        Self { ends, lines, points, couples }
     }
 
-    /// Where the load changes its formula, and where point loads are, strictly between two places.
+    /// Where the load changes its formula, and where point loads and couples are, strictly between two places.
     pub(crate) fn breaks(&self, from: f64, to: f64) -> Vec<f64> {
         let first = self.ends.partition_point(|x| *x <= from);
         let ends = self.ends[first..].iter().copied().take_while(|x| *x < to);
-        let first = self.points.partition_point(|p| p.0 <= from);
-        let points = self.points[first..].iter().map(|p| p.0).take_while(|x| *x < to);
-        self::ends(ends.chain(points).collect())
+        let acting = [&self.points, &self.couples].into_iter().flat_map(|all| {
+            let first = all.partition_point(|p| p.0 <= from);
+            all[first..].iter().map(|p| p.0).take_while(|x| *x < to)
+        });
+        self::ends(ends.chain(acting).collect())
     }
 
     /// `[q, q']` at an origin, between two places without a break between them, on which the origin is.
@@ -48,9 +57,19 @@ impl EnclosedLoad {
 
     /// The point loads at a place, zero if there is none.
     pub(crate) fn point(&self, x: f64) -> Interval {
-        let here = self.points[self.points.partition_point(|p| p.0 < x)..].iter().take_while(|p| p.0 <= x);
-        here.fold(Interval::ZERO, |sum, p| sum + p.1)
+        at(&self.points, x)
     }
+
+    /// The couples at a place, zero if there is none.
+    pub(crate) fn couple(&self, x: f64) -> Interval {
+        at(&self.couples, x)
+    }
+}
+
+/// The sum of what is at a place.
+fn at(all: &[(f64, Interval)], x: f64) -> Interval {
+    let here = all[all.partition_point(|p| p.0 < x)..].iter().take_while(|p| p.0 <= x);
+    here.fold(Interval::ZERO, |sum, p| sum + p.1)
 }
 
 /// What a line is at a place, and its slope, from its values at both ends: where it vanishes at one of them, it is known from there.

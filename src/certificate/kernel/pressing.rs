@@ -73,6 +73,8 @@ pub(crate) fn zone(enclosed: &EnclosedScene<'_>, ends: [f64; 2], cut_off: &mut T
     enclosed.gap.is_smooth_between(from, to).then_some(())?;
     for x in enclosed.load.breaks(from, to) {
         cut_off.force(x, enclosed.load.point(x));
+        // The moment of a beam that follows the ground does not jump.
+        cut_off.couple(x, enclosed.load.couple(x), [false; 2]);
     }
     let piece = |[from, to]: [f64; 2]| {
         let (cell, width) = ([from, to], Interval::length(from, to));

@@ -9,8 +9,8 @@
 //! J(v̂) − D(p, R) = Σ L (r₀² + r₀ r₁ + r₁²) / 6 EI
 //! ```
 //!
-//! To prove are `g − v̂ ≥ 0` in spans, `q − EI g'''' ≥ 0` in zones, and at nodes without a support the concentrated forces
-//! `M'(x+) − M'(x−) + P ≥ 0`, with a point load `P` that stands there, and `M(x+) = M(x−)`.
+//! To prove are `g − v̂ ≥ 0` in spans, `q − EI g'''' ≥ 0` in zones, in which no couple acts, and at nodes without a support the
+//! concentrated forces `M'(x+) − M'(x−) + P ≥ 0`, with a point load `P` that stands there, and `M(x+) = M(x−) + C` with a couple `C`.
 //!
 //! Where one of them fails, the pair is corrected until it holds: a span is lifted by `α φ` (module `clearance`), which is zero
 //! wherever the beam is pressed, and what pulls, `p⁻`, is cut off, which changes `M` by the moments of `p⁻` on the beam on two
@@ -87,8 +87,10 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
             continue;
         };
         let length = Interval::length(span.from, span.to);
-        let beside = |i: usize, side: usize| moments.get(i).map_or(Interval::ZERO, |node| node.0[side]);
-        let moments = [beside(i.wrapping_sub(1), 1), beside(i, 0)];
+        // At a free end what acts there.
+        let [first, last] = [enclosed.load.couple(0.0), -enclosed.load.couple(enclosed.length)];
+        let beside = |i: usize, side: usize, end| moments.get(i).map_or(end, |node| node.0[side]);
+        let moments = [beside(i.wrapping_sub(1), 1, first), beside(i, 0, last)];
         shears[i] = span.shears(moments);
         gap = gap + span.misfit(stiffness, moments) / (number(12) * stiffness);
         let parts = span.curves(enclosed, Vec::new());
@@ -148,7 +150,7 @@ fn is_complete(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> bool {
     in_order && inside && supports == enclosed.supports.len() && meet
 }
 
-/// `M` beside node `i`, on its left and on its right side, and its jump. Part `i` of the beam is on the left and part `i + 1` on the
+/// `M` beside node `i`, on its left and on its right side, and what its jump is more than the couple that acts there. Part `i` of the beam is on the left and part `i + 1` on the
 /// right. Beside a zone, an overhang and no beam only one moment is possible. Between two spans any is, and where none but
 /// the same on both sides is admissible, a number between theirs is taken.
 fn moments(
@@ -168,14 +170,17 @@ fn moments(
         };
         -(Interval::exact(enclosed.stiffness) * curvature)
     });
+    let couple = enclosed.load.couple(node.x);
     let held =
         enclosed.support(node.x).is_some_and(|s| s.slope.is_some() || matches!(node.slope, Slope::OfGround { .. }));
     if held || given == [true; 2] {
-        return (own, own[1] - own[0]);
+        return (own, own[1] - own[0] - couple);
     }
-    let between = || Interval::exact(0.5 * (own[0].middle() + own[1].middle()));
-    let continuous = [0, 1].into_iter().find(|side| given[*side]).map_or_else(between, |side| own[side]);
-    ([continuous; 2], Interval::ZERO)
+    // Without the couple it is the same on both sides.
+    let from = [own[0], own[1] - couple];
+    let between = || Interval::exact(0.5 * (from[0].middle() + from[1].middle()));
+    let left = [0, 1].into_iter().find(|side| given[*side]).map_or_else(between, |side| from[side]);
+    ([left, left + couple], Interval::ZERO)
 }
 
 #[cfg(test)]

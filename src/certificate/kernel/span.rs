@@ -10,6 +10,7 @@
 //! free on the right   EI v''(0) = ∫ a q + P L,  v''(L) = 0,       on the left the mirror image
 //! ```
 //!
+//! A couple is in these integrals what a force is, differentiated by its place.
 //! A load near one of the ends has all its digits in each of these integrals.
 
 use super::contact_node::EnclosedScene;
@@ -42,6 +43,11 @@ pub(crate) struct Span {
 /// `∫ b q`, `∫ a q`, `∫ a b² q` and `∫ a² b q` of what stands between two places, at the distances `a` and `b` from them.
 fn integrals(load: &EnclosedLoad, [from, to]: [f64; 2]) -> [Interval; 4] {
     let mut sums = [Interval::ZERO; 4];
+    for &(x, couple) in load.couples.iter().filter(|(x, _)| from < *x && *x < to) {
+        let (a, b) = (Interval::length(from, x), Interval::length(x, to));
+        let turned = [-number(1), number(1), b * (b - number(2) * a), a * (number(2) * b - a)];
+        sums = [0, 1, 2, 3].map(|k| sums[k] + turned[k] * couple);
+    }
     let mut add = |a: Interval, b: Interval, force: Interval| {
         let both = a * b * force;
         sums = [sums[0] + b * force, sums[1] + a * force, sums[2] + both * b, sums[3] + both * a];
@@ -70,9 +76,13 @@ fn march(enclosed: &EnclosedScene<'_>, mut jet: Jet, cells: &[[f64; 2]]) -> Vec<
         let [v, slope, curvature, third] = jet;
         let deflection =
             Polynomial::new(&[v, slope, curvature / number(2), third / number(6), q / number(24), rise / number(120)]);
-        let (there, force) = (deflection.shifted(Interval::length(near, far)), enclosed.load.point(far) / stiffness);
+        let there = deflection.shifted(Interval::length(near, far));
+        let [force, couple] = [enclosed.load.point(far), enclosed.load.couple(far)].map(|acts| {
+            let acts = acts / stiffness;
+            if near < far { acts } else { -acts }
+        });
         let c = there.coefficients();
-        jet = [c[0], c[1], c[2] * number(2), c[3] * number(6) + if near < far { force } else { -force }];
+        jet = [c[0], c[1], c[2] * number(2) - couple, c[3] * number(6) + force];
         deflection
     };
     cells.iter().map(march).collect()
@@ -87,9 +97,12 @@ impl Span {
         let fixed = [ab2, a2b].map(|turned| turned / (length * length) / stiffness);
         // From a node to the free end of an overhang, to the left with a negative length.
         let free = |[v, slope]: [Interval; 2], to: Interval, [arms, near, far]: [Interval; 3], tip: f64| {
-            let bent = (arms + enclosed.load.point(tip) * length) / stiffness;
-            let turn = to * (bent - near - far) / number(2);
-            ([v + to * (slope + (to * (bent - near) + number(2) * turn) / number(6)), slope + turn], bent)
+            let couple = enclosed.load.couple(tip) / stiffness;
+            let couple = if from < tip { couple } else { -couple };
+            let bent = (arms + enclosed.load.point(tip) * length) / stiffness + couple;
+            let turn = to * (bent - near - far + couple) / number(2);
+            let free = [v + to * (slope + (to * (bent - near) + number(2) * turn) / number(6)), slope + turn];
+            (free, bent, couple)
         };
         let (left, right, bent) = match ends {
             [Some(left), Some(right)] => {
@@ -100,13 +113,13 @@ impl Span {
                 (left, right, bent)
             }
             [Some(left), None] => {
-                let (right, bent) = free(left, length, [a, fixed[0], fixed[1]], to);
-                (left, right, [bent, Interval::ZERO])
+                let (right, bent, couple) = free(left, length, [a, fixed[0], fixed[1]], to);
+                (left, right, [bent, couple])
             }
             [None, right] => {
                 let right = right.unwrap_or([Interval::ZERO; 2]);
-                let (left, bent) = free(right, -length, [b, fixed[1], fixed[0]], from);
-                (left, right, [Interval::ZERO, bent])
+                let (left, bent, couple) = free(right, -length, [b, fixed[1], fixed[0]], from);
+                (left, right, [couple, bent])
             }
         };
         let loaded = [b, a].map(|arms| arms / length);
@@ -123,7 +136,7 @@ impl Span {
         [shear + self.loaded[0], shear - self.loaded[1]]
     }
 
-    /// `6 ∫ (EI v'' + M)² dx` from the moments at its two ends: `EI v'' + M` is linear.
+    /// `6 ∫ (EI v'' + M)² dx` from the moments at its two ends: `EI v'' + M` is linear, also over a couple.
     pub(crate) fn misfit(&self, stiffness: Interval, moments: [Interval; 2]) -> Interval {
         let r = [stiffness * self.start[2] + moments[0], stiffness * self.end[2] + moments[1]];
         Interval::length(self.from, self.to) * (r[0].square() + r[1].square() + (r[0] + r[1]).square())

@@ -186,11 +186,17 @@ impl OnSprings<'_> {
     fn moments(&self, spans: &[Option<Span>], node: usize) -> [Interval; 2] {
         let by_statics = |left: bool| self.overhanging(spans, node, left);
         let own = |left: bool| by_statics(left).or(self.said(node, left, 2)).unwrap_or(Interval::ZERO);
-        match self.enclosed.support(self.x(node)).and_then(|s| s.slope) {
-            Some(_) => [true, false].map(own),
-            None if node == 0 || node == spans.len() => [Interval::ZERO; 2],
-            None => [by_statics(true).or(by_statics(false)).unwrap_or_else(|| own(!self.is_pressed(node, false))); 2],
-        }
+        let couple = self.enclosed.load.couple(self.x(node));
+        let left = match self.enclosed.support(self.x(node)).and_then(|s| s.slope) {
+            Some(_) => return [true, false].map(own),
+            None if node == 0 => Interval::ZERO,
+            None if node == spans.len() => -couple,
+            None => by_statics(true).or(by_statics(false).map(|right| right - couple)).unwrap_or_else(|| {
+                let from_the_left = !self.is_pressed(node, false);
+                if from_the_left { own(true) } else { own(false) - couple }
+            }),
+        };
+        [left, left + couple]
     }
 
     /// `V` in the same way: of what hangs by statics.

@@ -5,7 +5,7 @@ use toml::de::DeTable;
 use super::Problem;
 use super::columns::Named;
 use super::table::{Error, Keys, Value};
-use crate::scene::{Foundation, LinearLoad, PointLoad, Profile, Support, Units};
+use crate::scene::{CoupleLoad, Foundation, LinearLoad, PointLoad, Profile, Support, Units};
 
 /// All of it.
 pub(super) struct Contents {
@@ -88,11 +88,12 @@ pub(super) struct LoadKeys {
     pub(super) uniform: f64,
     pub(super) linear: Vec<LinearLoad>,
     pub(super) point: Vec<PointLoad>,
+    pub(super) couple: Vec<CoupleLoad>,
 }
 
-/// `[load]`: `uniform`, `linear` and `point`, each of which may be left out.
+/// `[load]`: `uniform`, `linear`, `point` and `couple`, each of which may be left out.
 fn load(file: &Keys<'_>) -> Result<LoadKeys, Error> {
-    let Some(load) = file.table("load", &["uniform", "linear", "point"])? else {
+    let Some(load) = file.table("load", &["uniform", "linear", "point", "couple"])? else {
         return Ok(LoadKeys::default());
     };
     let mut keys = LoadKeys { uniform: load.number("uniform")?.unwrap_or(0.0), ..LoadKeys::default() };
@@ -108,6 +109,10 @@ fn load(file: &Keys<'_>) -> Result<LoadKeys, Error> {
     for part in load.elements("point")? {
         let part = part.table(&["at", "force"])?;
         keys.point.push(PointLoad { at: part.required_number("at")?, force: part.required_number("force")? });
+    }
+    for part in load.elements("couple")? {
+        let part = part.table(&["at", "moment"])?;
+        keys.couple.push(CoupleLoad { at: part.required_number("at")?, moment: part.required_number("moment")? });
     }
     Ok(keys)
 }

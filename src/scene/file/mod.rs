@@ -141,7 +141,7 @@ fn assemble(
     if let Some(shape) = shape {
         beam = beam.with_shape(shape)?;
     }
-    let load = Load::new(&beam, load.uniform, load.linear, load.point)?;
+    let load = Load::new(&beam, load.uniform, load.linear, load.point)?.with_couples(&beam, load.couple)?;
     let scene = Scene::above(beam, load, foundation, stiffness)?;
     scene.scaled()?;
     Ok(scene)

@@ -11,7 +11,7 @@ use crate::theory::exact::Exact;
 use crate::theory::gauss::Gauss;
 use crate::theory::list::List;
 use crate::theory::piece::Piece;
-use crate::theory::piecewise::{AtSupport, PiecewiseScene};
+use crate::theory::piecewise::{AtSupport, Breakpoint, PiecewiseScene};
 use crate::theory::summary::{add_extremes, differentiated};
 use crate::theory::violation::Violation;
 
@@ -211,7 +211,7 @@ fn support(given: &PiecewiseScene, parts: &[Part], i: usize, stiffness: f64) -> 
         at: x,
         force,
         moment: built_in.then_some(moment * stiffness),
-        couple: if built_in { (left[2] - right[2]) * stiffness } else { 0.0 },
+        couple: if built_in { (left[2] - right[2] + given.breakpoints[breakpoint].couple) * stiffness } else { 0.0 },
     }
 }
 
@@ -228,7 +228,7 @@ pub(super) fn rule(given: &PiecewiseScene) -> Gauss {
     Gauss::exact_to((2 * given.terms).max(PRESSED_DEGREE))
 }
 
-/// `J / EI = ∫ ½ v''² + ½ K (v − g)₊² − q v dx − Σ P v`.
+/// `J / EI = ∫ ½ v''² + ½ K (v − g)₊² − q v dx − Σ P v − Σ C v'`.
 fn energy(given: &PiecewiseScene, parts: &[Part], springs: f64) -> f64 {
     let rule = rule(given);
     let mut sum = 0.0;
@@ -240,6 +240,8 @@ fn energy(given: &PiecewiseScene, parts: &[Part], springs: f64) -> f64 {
             0.5 * (v2 * v2 + springs * w * w) - given.load(cell, x) * v
         });
     }
-    let at = |x: f64| part_at(parts, x, false).beam(x)[0];
-    given.forces().fold(sum, |sum, breakpoint| sum - breakpoint.force * at(breakpoint.x))
+    given.forces().fold(sum, |sum, &Breakpoint { x, force, couple, .. }| {
+        let [v, v1, ..] = part_at(parts, x, false).beam(x);
+        sum - force * v + couple * v1
+    })
 }

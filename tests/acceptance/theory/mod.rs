@@ -9,6 +9,7 @@ mod closed;
 mod crests;
 mod elastic;
 mod explain;
+mod general;
 mod level;
 mod long;
 mod near;
