@@ -1,5 +1,5 @@
-//! A table as CSV, with the place of each field. A survey is one: by itself with the header `x,depth` and one point in each row, and else as
-//! the scene file [declares its columns](super::columns).
+//! A table as CSV, with the place of each field. A survey is one: by itself with the header `x,depth` and one point in each row, and
+//! else as the scene file [declares its columns](super::columns).
 //!
 //! Blank lines and lines that start with `#` are left out, spaces round a field are trimmed, fields may be quoted, a byte order mark and
 //! line ends of Windows and of old Macs are accepted. A library for CSV would give the place of a row, and messages point at a field.
