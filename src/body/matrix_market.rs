@@ -221,7 +221,7 @@ impl Reader {
     fn without_size(&mut self) {
         if let Some((first, rest)) = self.entries.split_first() {
             #[expect(clippy::cast_precision_loss, reason = "a count of lines")]
-            let is_size = first.place[0] == first.place[1] && first.value == rest.len() as f64;
+            let is_size = first.place[0] == first.place[1] && first.value.to_bits() == (rest.len() as f64).to_bits();
             let last = rest.iter().map(|entry| entry.place).max();
             if is_size && last == Some(first.place) {
                 self.entries.remove(0);

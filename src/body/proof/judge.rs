@@ -99,8 +99,8 @@ impl Proof {
     fn of_force(&self, body: &Body, force: &[f64]) -> Result<Point, NotPositiveDefinite> {
         let exact: Vec<Double> = force.iter().copied().map(Double::exact).collect();
         match body.kind {
-            Kind::Flexibility => Ok(self.from_variables(body, exact)),
-            Kind::Stiffness => self.from_gradient(body, &vec![true; force.len()], exact),
+            Kind::Flexibility => Ok(self.at_variables(body, exact)),
+            Kind::Stiffness => self.with_gradient(body, &vec![true; force.len()], exact),
         }
     }
 
@@ -121,21 +121,21 @@ impl Proof {
             within.push(own);
         }
         if body.kind == Kind::Flexibility {
-            return self.from_gradient(body, &told, within);
+            return self.with_gradient(body, &told, within);
         }
         let open: Vec<usize> = (0..within.len()).filter(|i| !told[*i]).collect();
         let x = body.program.solved(&open, &[], Some(within))?;
-        Ok(self.from_variables(body, x))
+        Ok(self.at_variables(body, x))
     }
 
-    fn from_variables(&self, body: &Body, x: Vec<Double>) -> Point {
+    fn at_variables(&self, body: &Body, x: Vec<Double>) -> Point {
         let sums = body.program.gradient_at(&x);
         let off = (0..x.len()).map(|i| sums.off(i)).fold(0.0, f64::max);
         Point { x, gradient: sums.values, off: [0.0, off], rest: 0.0 }
     }
 
     /// Variables with a gradient that is told; where it is not told, they are zero.
-    fn from_gradient(&self, body: &Body, told: &[bool], gradient: Vec<Double>) -> Result<Point, NotPositiveDefinite> {
+    fn with_gradient(&self, body: &Body, told: &[bool], gradient: Vec<Double>) -> Result<Point, NotPositiveDefinite> {
         let chosen: Vec<usize> = (0..told.len()).filter(|i| told[*i]).collect();
         let x = body.program.solved(&chosen, &gradient, None)?;
         let found = body.program.gradient_at(&x);

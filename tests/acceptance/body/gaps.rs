@@ -169,12 +169,9 @@ fn nothing_is_certified_that_is_off() {
             refused += usize::from(verdict.status != Status::Certified);
         }
     }
-    println!(
-        "{bodies} bodies: {solved} certified by the active set; of {brought} answers {refused} refused, right ones certified {right_ones:?}"
-    );
     assert!(99 * bodies <= 100 * solved, "{solved} of {bodies}");
     assert!(2 * refused > brought, "{refused} of {brought} forged answers are refused");
-    assert!(97 * bodies <= 100 * right_ones[0], "{} right lists of forces are certified", right_ones[0]);
+    assert!(right_ones.iter().all(|right| 97 * bodies <= 100 * right), "{right_ones:?} right lists are certified");
 }
 
 /// Three springs in a row; the middle one has no ground, however that is written: 5500 on each of the others.
@@ -209,7 +206,9 @@ fn a_gap_without_ground_stretches_nothing() {
                 assert!(!certified || off < 1e-6 * 5500.0, "{solver}, {far:e}: {force:?}");
                 assert!(certified || solver != Solver::ActiveSet, "{solver}, {far:e}: {}", verdict.reason);
                 assert!(
-                    !certified || (clearance[1] - (far - 0.0025)).abs() <= 1e-9 || far - 0.0025 == clearance[1],
+                    !certified
+                        || (clearance[1] - (far - 0.0025)).abs() <= 1e-9
+                        || clearance[1].total_cmp(&(far - 0.0025)).is_eq(),
                     "{far:e}"
                 );
             }
