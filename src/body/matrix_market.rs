@@ -6,10 +6,12 @@
 //! Without its banner a file has rows of `row column value`, as CalculiX writes `.sti`, or of `node, freedom, node, freedom, value`, as Abaqus
 //! does for `*MATRIX OUTPUT`. It is one triangle unless some entry is there from both sides. Freedoms are numbered by node, then by freedom.
 
+mod fields;
+
 use std::collections::BTreeMap;
 use std::ops::Range;
-use std::str::FromStr;
 
+use self::fields::{fields, finite, label, pieces, real, row, whole};
 use super::BodyProblem;
 use crate::memory::can_be_had;
 use crate::qp::Profile;
@@ -121,7 +123,10 @@ impl Reader {
             Form::Labels => {
                 let [node, freedom, other, its, value] =
                     fields(text, "five numbers: node, freedom, node, freedom and value")?;
-                let place = [[label("node", node)?, label("freedom", freedom)?], [label("node", other)?, label("freedom", its)?]];
+                let place = [
+                    [label("node", node)?, label("freedom", freedom)?],
+                    [label("node", other)?, label("freedom", its)?],
+                ];
                 let place = place.map(|label| {
                     let next = self.labels.len();
                     *self.labels.entry(label).or_insert(next)
@@ -217,7 +222,7 @@ impl Reader {
     fn without_size(&mut self) {
         if let Some((first, rest)) = self.entries.split_first() {
             #[expect(clippy::cast_precision_loss, reason = "a count of lines")]
-            let is_size = first.place[0] == first.place[1] && first.value == rest.len() as f64;
+            let is_size = first.place[0] == first.place[1] && first.value.to_bits() == (rest.len() as f64).to_bits();
             let last = rest.iter().map(|entry| entry.place).max();
             if is_size && last == Some(first.place) {
                 self.entries.remove(0);
@@ -339,59 +344,4 @@ fn size(text: &str, coordinate: bool, symmetric: bool) -> Result<[usize; 2], Mar
         return whole_line(BodyProblem::Entries { expected: format!("at least {rows}"), found: entries });
     }
     affordable(entries / 2).map_or_else(whole_line, |()| Ok([rows, entries]))
-}
-
-/// A field with its place in the line.
-type Field<'a> = (&'a str, Range<usize>);
-
-/// The fields of a line, parted by blanks or commas.
-fn pieces(text: &str) -> impl Iterator<Item = Field<'_>> {
-    let fields = text.split(|c: char| c.is_ascii_whitespace() || c == ',').filter(|field| !field.is_empty());
-    fields.map(|field| {
-        let start = field.as_ptr() as usize - text.as_ptr() as usize;
-        (field, start..start + field.len())
-    })
-}
-
-fn fields<'a, const N: usize>(text: &'a str, expected: &'static str) -> Result<[Field<'a>; N], Mark> {
-    let found: Vec<_> = pieces(text).collect();
-    found.try_into().map_err(|found: Vec<_>| (0..text.len(), BodyProblem::Fields { expected, found: found.len() }))
-}
-
-/// A number as programs write it: Fortran has exponents `D` for twice the precision.
-fn real(text: &str) -> Option<f64> {
-    text.parse().or_else(|_| text.replace(['D', 'd'], "e").parse()).ok()
-}
-
-fn finite((field, place): Field<'_>) -> Result<f64, Mark> {
-    let wrong = || {
-        let expected = "a finite number".to_owned();
-        (place, BodyProblem::Number { quantity: "value", expected, found: Found::of(field) })
-    };
-    real(field).filter(|value| value.is_finite()).ok_or_else(wrong)
-}
-
-/// A row or a column of a file without a size.
-fn row(quantity: &'static str, field: Field<'_>) -> Result<usize, Mark> {
-    Ok(whole(quantity, field, 1, MOST_ROWS)? - 1)
-}
-
-/// The name of a node or of one of its freedoms; programs give negative ones to nodes of their own.
-fn label(quantity: &'static str, field: Field<'_>) -> Result<i64, Mark> {
-    number(quantity, field, |_| true, || "a whole number".to_owned())
-}
-
-fn whole(quantity: &'static str, field: Field<'_>, least: usize, most: usize) -> Result<usize, Mark> {
-    let expected = || format!("a whole number from {least} to {most}");
-    number(quantity, field, |number| (least..=most).contains(number), expected)
-}
-
-fn number<T: FromStr>(
-    quantity: &'static str,
-    (field, place): Field<'_>,
-    is_right: impl Fn(&T) -> bool,
-    expected: impl Fn() -> String,
-) -> Result<T, Mark> {
-    let wrong = || (place, BodyProblem::Number { quantity, expected: expected(), found: Found::of(field) });
-    field.parse().ok().filter(is_right).ok_or_else(wrong)
 }

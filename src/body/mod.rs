@@ -193,7 +193,11 @@ impl Verdict {
     #[must_use]
     pub fn new(errors: Result<Errors, Unproven>, demanded: f64, reports_success: bool) -> Self {
         let known = errors.unwrap_or(Errors::UNKNOWN);
-        let all = [("clearances", "are", known.clearance), ("contact forces", "are", known.force), ("energy", "is", known.energy)];
+        let all = [
+            ("clearances", "are", known.clearance),
+            ("contact forces", "are", known.force),
+            ("energy", "is", known.energy),
+        ];
         let status = Status::of_body(all.map(|(_, _, off)| off.share), demanded, reports_success);
         let reason = match errors {
             Err(unproven) => unproven.to_string(),
@@ -202,7 +206,9 @@ impl Verdict {
             }
             Ok(_) if status == Status::Certified => {
                 let [clearance, force, energy] = all.map(|(_, _, off)| share_at_most(off.share));
-                format!("clearances are certain to {clearance}, contact forces to {force}, energy to {energy} of the largest")
+                format!(
+                    "clearances are certain to {clearance}, contact forces to {force}, energy to {energy} of the largest"
+                )
             }
             Ok(_) => {
                 let wrong = all.iter().filter(|(_, _, off)| !Status::is_certain(off.share, demanded));

@@ -71,7 +71,9 @@ pub enum BodyProblem {
         found: usize,
     },
     /// A place for the second time.
-    #[error("the entry at {i} {j} is there twice, or its mirror image is: first in line {line}; entries that add up need `sum_duplicates = true` in [body]")]
+    #[error(
+        "the entry at {i} {j} is there twice, or its mirror image is: first in line {line}; entries that add up need `sum_duplicates = true` in [body]"
+    )]
     Twice {
         /// Row.
         i: usize,

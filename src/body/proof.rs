@@ -16,11 +16,12 @@
 //! 2002, theorems 10.3 and 10.5; Rump 2006). `L Lᵀ` has no negative eigenvalue, and none of a symmetric matrix is larger than its
 //! largest row sum. A face is only a witness: from a wrong one bounds are wide, and never untrue.
 
+mod judge;
+
 use super::reach;
 use super::{Body, Kind};
 use crate::double::Double;
 use crate::qp::{Explicit, NotPositiveDefinite, Sums};
-use crate::solvers::Answer;
 
 /// A proven point beside the optimum.
 #[derive(Debug, Clone, PartialEq)]
@@ -269,7 +270,8 @@ fn sizes(
     let displacement: Vec<f64> =
         clearance.iter().zip(&body.reach.gap).map(|(h, gap)| (Double::exact(*gap) - *h).rounded()).collect();
     let moved = most(&mut displacement.iter().copied());
-    let closed = counts(moved, error).map(|moved| counts(clear, error.max(NONE * moved)).map_or(moved, |c| c.min(moved)));
+    let closed =
+        counts(moved, error).map(|moved| counts(clear, error.max(NONE * moved)).map_or(moved, |c| c.min(moved)));
     let [free, load] = [&body.reach.free, &body.load].map(|values| most(&mut values.iter().copied()));
     let pressed = most(&mut force.iter().map(|p| p.rounded()));
     let work = |moved: &[f64]| moved.iter().zip(&body.load).map(|(v, q)| (v * q).abs()).sum::<f64>();
@@ -283,153 +285,6 @@ fn sizes(
             counts(0.5 * work(&body.reach.free), 0.0),
             None,
         ]),
-    }
-}
-
-/// Variables and gradient that were brought, with what they may be off, and what is left of the gradient.
-struct Point {
-    x: Vec<Double>,
-    gradient: Vec<Double>,
-    off: [f64; 2],
-    rest: f64,
-}
-
-impl Proof {
-    /// How far some clearances are off, with ground out of reach where the program has it.
-    #[must_use]
-    pub fn off(&self, clearance: &[f64]) -> Off {
-        self.clearance_off(clearance.iter().copied().map(Double::exact), self.error)
-    }
-
-    fn clearance_off(&self, clearance: impl Iterator<Item = Double>, error: f64) -> Off {
-        Off::new(apart(&self.clearance, clearance, error), self.sizes.clearance)
-    }
-
-    /// How far some contact forces are off.
-    #[must_use]
-    pub fn force_off(&self, force: &[f64]) -> Off {
-        let force = force.iter().copied().map(Double::exact);
-        Off::new(apart(&self.force, force, self.force_error), self.sizes.force)
-    }
-
-    /// How far an energy is off that is itself known up to an error.
-    fn energy_off(&self, (energy, error): (Double, f64)) -> Off {
-        let ([lower, upper], energy) = (self.energy, energy.rounded());
-        let least = (lower - energy).max(energy - upper) - error * UP;
-        let most = (upper - energy).max(energy - lower) + error * UP;
-        let known = [if least.is_nan() { f64::INFINITY } else { least.max(0.0) }, if most.is_nan() { f64::INFINITY } else { most }];
-        Off::new(known, self.sizes.energy)
-    }
-
-    /// How far the answer of a solver is off.
-    #[must_use]
-    pub fn errors(&self, body: &Body, answer: &Answer) -> Errors {
-        let (clearance, force) = body.clearance_within_reach(answer);
-        let x: Vec<Double> = answer.x.iter().copied().map(Double::exact).collect();
-        let energy = energy(body, &x, &body.program.gradient_at(&x));
-        Errors { clearance: self.off(clearance), force: self.force_off(force), energy: self.energy_off(energy) }
-    }
-
-    /// The clearances that were brought, or that the forces cause, the forces, and how far all of them are off.
-    ///
-    /// A clearance out of reach that is right to the last digit says no more than that nothing touches there: what is left of such a gap
-    /// by a displacement is then that of equilibrium.
-    ///
-    /// # Errors
-    ///
-    /// [`NotPositiveDefinite`] never of a body that there is.
-    pub fn judge(&self, body: &Body, brought: &Brought) -> Result<([Vec<f64>; 2], Errors), NotPositiveDefinite> {
-        let qp = &body.program;
-        let Point { x, gradient, off: [x_off, gradient_off], rest } = match brought {
-            Brought::Clearance(clearance) => self.of_clearance(body, clearance)?,
-            Brought::Force(force) => self.of_force(body, force)?,
-        };
-        let sums = qp.gradient_at(&x);
-        let b = qp.right();
-        let slope = |i: usize| {
-            let of_energy = if body.kind == Kind::Stiffness { sums.values[i] } else { sums.values[i] + b.values[i] };
-            of_energy.rounded().abs() + sums.off(i) + b.off(i)
-        };
-        let norm = (0..x.len()).map(|i| slope(i) * slope(i)).sum::<f64>().sqrt();
-        let (known, rounded) = energy(body, &x, &sums);
-        // J(x + δ) − J(x) = J'(x)ᵀδ + ½ δᵀA δ, and A δ is what is left of the gradient.
-        let energy = self.energy_off((known, (rounded + x_off * (norm + rest)) * UP));
-        let (clearance, force, [off, force_off]) = match body.kind {
-            Kind::Stiffness => (x, gradient, [x_off, gradient_off]),
-            Kind::Flexibility => (gradient, x, [gradient_off, x_off]),
-        };
-        // What may be nothing but the rounding of its own solve is zero.
-        let rounded = |values: &[Double], off: f64| -> Vec<f64> {
-            values.iter().map(|h| if h.rounded().abs() <= off { 0.0 } else { h.rounded() }).collect()
-        };
-        let both = [rounded(&clearance, off), rounded(&force, force_off)];
-        let force = apart(&self.force, force.into_iter(), (self.force_error + force_off) * UP);
-        let errors = Errors {
-            clearance: self.clearance_off(clearance.into_iter(), (self.error + off) * UP),
-            force: Off::new(force, self.sizes.force),
-            energy,
-        };
-        Ok((both, errors))
-    }
-
-    /// The point of contact forces.
-    fn of_force(&self, body: &Body, force: &[f64]) -> Result<Point, NotPositiveDefinite> {
-        let exact: Vec<Double> = force.iter().copied().map(Double::exact).collect();
-        match body.kind {
-            Kind::Flexibility => Ok(self.from_variables(body, exact)),
-            Kind::Stiffness => self.from_gradient(body, &vec![true; force.len()], exact),
-        }
-    }
-
-    /// The point of clearances.
-    fn of_clearance(&self, body: &Body, clearance: &[f64]) -> Result<Point, NotPositiveDefinite> {
-        let (mut within, mut told) = (Vec::with_capacity(clearance.len()), vec![true; clearance.len()]);
-        for (i, h) in clearance.iter().enumerate() {
-            let (gap, reach) = (body.gap[i], body.reach.gap[i]);
-            let last_digits = 2.0 * f64::EPSILON * gap.abs();
-            let own = match gap.is_finite() {
-                true => Double::exact(*h) - (Double::exact(gap) - Double::exact(reach)),
-                false if f64::INFINITY <= *h => self.clearance[i],
-                // No number is right there.
-                false => Double::exact(f64::NAN),
-            };
-            let off = (own - self.clearance[i]).rounded().abs();
-            told[i] = !(body.is_out_of_reach(i) && off <= last_digits);
-            within.push(own);
-        }
-        if body.kind == Kind::Flexibility {
-            return self.from_gradient(body, &told, within);
-        }
-        let open: Vec<usize> = (0..within.len()).filter(|i| !told[*i]).collect();
-        let x = body.program.solved(&open, &[], Some(within))?;
-        Ok(self.from_variables(body, x))
-    }
-
-    fn from_variables(&self, body: &Body, x: Vec<Double>) -> Point {
-        let sums = body.program.gradient_at(&x);
-        let off = (0..x.len()).map(|i| sums.off(i)).fold(0.0, f64::max);
-        Point { x, gradient: sums.values, off: [0.0, off], rest: 0.0 }
-    }
-
-    /// Variables with a gradient that is told; where it is not told, they are zero.
-    fn from_gradient(&self, body: &Body, told: &[bool], gradient: Vec<Double>) -> Result<Point, NotPositiveDefinite> {
-        let chosen: Vec<usize> = (0..told.len()).filter(|i| told[*i]).collect();
-        let x = body.program.solved(&chosen, &gradient, None)?;
-        let found = body.program.gradient_at(&x);
-        let rest = |i: &usize| (found.values[*i] - gradient[*i]).rounded().abs() + found.off(*i);
-        let square: f64 = chosen.iter().map(|i| rest(i) * rest(i)).sum();
-        let rest = square.sqrt() * UP;
-        let all = (0..told.len()).map(|i| if told[i] { gradient[i] } else { found.values[i] }).collect();
-        let x_off = rest / self.least_eigenvalue * UP;
-        let diagonal = body.program.profile().diagonal().fold(0.0, f64::max);
-        let open = (0..told.len()).filter(|i| !told[*i]).map(|i| found.off(i)).fold(0.0, f64::max);
-        // Where it is told it is exact; elsewhere |A δ|_i ≤ √a_ii ‖r‖/√τ.
-        let gradient_off = if chosen.len() == told.len() {
-            0.0
-        } else {
-            ((diagonal * UP).sqrt() * rest / self.least_eigenvalue.sqrt() + open) * UP
-        };
-        Ok(Point { x, gradient: all, off: [x_off, gradient_off], rest })
     }
 }
 

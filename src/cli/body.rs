@@ -56,7 +56,13 @@ struct Certificate {
 impl Certificate {
     fn new(proof: &Proof, errors: &Errors) -> Self {
         let [energy_lower, energy_upper] = proof.energy;
-        Self { energy_lower, energy_upper, gap: proof.gap, error: errors.clearance.most, force_error: errors.force.most }
+        Self {
+            energy_lower,
+            energy_upper,
+            gap: proof.gap,
+            error: errors.clearance.most,
+            force_error: errors.force.most,
+        }
     }
 }
 
@@ -133,8 +139,10 @@ pub(super) fn solve<'a>(input: &Input<Body>, arguments: &'a Solve) -> Result<Out
             print(&SolveObject { scene: input.title(), route: &route, nodes })
         },
     );
+    // As a file of gaps has it where there is no ground, and an answer that is brought.
+    let clear = |h: f64| if h.is_infinite() { "inf".to_owned() } else { field(h) };
     let rows = (1..).zip(clearance.iter().zip(&contact_force));
-    let rows = rows.map(|(i, (h, p))| format!("{i},{},{}\n", field(*h), field(*p)));
+    let rows = rows.map(|(i, (h, p))| format!("{i},{},{}\n", clear(*h), field(*p)));
     let written = csv
         .as_ref()
         .map(|path| (path, std::iter::once("i,clearance,contact_force\n".to_owned()).chain(rows).collect()));
@@ -246,7 +254,8 @@ pub(super) fn certify<'a>(input: &Input<Body>, arguments: &Certify) -> Result<Ou
     let violations = found.map_or_else(Vec::new, |(proof, state)| violations(&brought, &state, proof.sizes));
     let as_text = || {
         let mut text = heading(verdict.status, &verdict.reason, input);
-        text += &certificate.map_or_else(String::new, |found| bounds(input, &found, Some(verdict.errors.clearance.least)));
+        text +=
+            &certificate.map_or_else(String::new, |found| bounds(input, &found, Some(verdict.errors.clearance.least)));
         let rows: Vec<Row> = violations
             .iter()
             .map(|v| vec![v.condition.name().to_owned(), v.at.to_string(), magnitude(v.amount)])

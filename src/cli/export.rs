@@ -20,7 +20,7 @@ impl Export {
     /// The names of the files, in the order in which they are made.
     fn names(&self) -> &'static [&'static str] {
         match (self.form, self.method.0.is_free_in_contact()) {
-            (Form::Qps, _) => &["program.qps", "names.csv"],
+            (Form::Qps, _) => &["program.mps", "names.csv"],
             (Form::Sparse, _) => &["P.mtx", "q.csv", "A.mtx", "bounds.csv", "names.csv"],
             (Form::Dense, true) => &["body.toml", "C.mtx", "gap.csv", "names.csv"],
             (Form::Dense, false) => &["body.toml", "K.mtx", "load.csv", "names.csv"],
@@ -53,7 +53,10 @@ pub(super) fn export<'a>(
             true => format!("contact force at x = {place:?}"),
             // What the program has as clearance is that of a spring that is not pressed.
             false if 0.0 < discrete.give(node) => {
-                format!("clearance of the beam at x = {place:?} plus {:?} times the contact force there", discrete.give(node))
+                format!(
+                    "clearance of the beam at x = {place:?} plus {:?} times the contact force there",
+                    discrete.give(node)
+                )
             }
             false => format!("clearance at x = {place:?}"),
         }
@@ -66,7 +69,9 @@ pub(super) fn export<'a>(
             vec![scene, matrix, linear, csv("i,what", names)]
         }
         Form::Sparse | Form::Qps => {
-            let Some(sparse_form) = qp.sparse() else { return Err(Failure::refused("export", "there is no sparse form")) };
+            let Some(sparse_form) = qp.sparse() else {
+                return Err(Failure::refused("export", "there is no sparse form"));
+            };
             let free = unsigned(&discrete, method).into_iter().take(sparse_form.signed);
             let (what, units): (Vec<String>, Vec<f64>) =
                 free.chain(names.map(|name| (name, sparse_form.sizes.x))).unzip();

@@ -89,7 +89,10 @@ pub fn unsigned(discrete: &Discrete, method: Method) -> Vec<(String, f64)> {
     let springs = if discrete.gives() && !method.is_free_in_contact() { discrete.unknowns() } else { 0 };
     let spring = |k| {
         let node = discrete.node(k);
-        (format!("penetration at x = {:?}", discrete.grid.place(node)), depth * spring_unit(discrete, node, depth, force))
+        (
+            format!("penetration at x = {:?}", discrete.grid.place(node)),
+            depth * spring_unit(discrete, node, depth, force),
+        )
     };
     Hinge::all(discrete).iter().map(name).chain((0..springs).map(spring)).collect()
 }

@@ -111,7 +111,8 @@ mod tests {
     #[test]
     fn arrows_and_shuffled_chains_are_narrow() {
         let n = 400;
-        let arrow = (1..n).map(|i| (i, 0, 1.0)).chain((2..n).map(|i| (i, i - 1, 1.0))).chain((0..n).map(|i| (i, i, 4.0)));
+        let arrow =
+            (1..n).map(|i| (i, 0, 1.0)).chain((2..n).map(|i| (i, i - 1, 1.0))).chain((0..n).map(|i| (i, i, 4.0)));
         let arrow = Profile::of_entries(n, arrow.collect::<Vec<_>>().into_iter());
         let shuffled = |k: usize| k * 171 % n;
         let links = (0..n).map(|k| [shuffled(k), shuffled(k + 1)]).take(n - 1);

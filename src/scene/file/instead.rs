@@ -116,7 +116,7 @@ const INSTEAD: &[Instead] = &[
     },
     Instead {
         table: "load",
-        keys: &["moment", "moments", "couple", "couples", "torque"],
+        keys: &["moment", "moments", "couples", "torque"],
         write: &[
             ("couple", "write a moment M at x as `couple = [{ at = x, moment = M }]`"),
             (

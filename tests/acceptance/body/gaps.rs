@@ -52,7 +52,10 @@ impl Right {
             energy.minus(own_energy).magnitude(),
         ];
         let shares = offs.iter().zip(&self.sizes).map(|(off, size)| off.over(size).to_double());
-        let wrong = ["displacement", "force", "energy"].into_iter().zip(shares).find(|(_, share)| EXACT * (1.0 + 1e-9) < *share);
+        let wrong = ["displacement", "force", "energy"]
+            .into_iter()
+            .zip(shares)
+            .find(|(_, share)| EXACT * (1.0 + 1e-9) < *share);
         wrong.map(|(what, share)| format!("{what} is off by {share:e} of the largest"))
     }
 }
@@ -75,7 +78,8 @@ fn forged(random: &mut Random, right: &[f64], load: &[f64]) -> Vec<Vec<f64>> {
     let at = random.below(right.len());
     let most = right.iter().chain(load).fold(0.0_f64, |most, p| most.max(p.abs()));
     let amount = libm::pow(10.0, random.between(-9.0, 0.0));
-    let changed = |change: &dyn Fn(usize, f64) -> f64| right.iter().enumerate().map(|(i, p)| change(i, *p)).collect::<Vec<_>>();
+    let changed =
+        |change: &dyn Fn(usize, f64) -> f64| right.iter().enumerate().map(|(i, p)| change(i, *p)).collect::<Vec<_>>();
     vec![
         right.to_vec(),
         vec![0.0; right.len()],
@@ -92,7 +96,8 @@ fn forged_clearances(random: &mut Random, right: &[f64], gap: &[f64]) -> Vec<Vec
     let at = random.below(right.len());
     let amount = libm::pow(10.0, random.between(-9.0, 0.0));
     let most = right.iter().chain(gap).filter(|h| **h < 1e6).fold(0.0_f64, |most, h| most.max(h.abs()));
-    let changed = |change: &dyn Fn(usize, f64) -> f64| right.iter().enumerate().map(|(i, h)| change(i, *h)).collect::<Vec<_>>();
+    let changed =
+        |change: &dyn Fn(usize, f64) -> f64| right.iter().enumerate().map(|(i, h)| change(i, *h)).collect::<Vec<_>>();
     vec![
         right.to_vec(),
         vec![0.0; right.len()],
@@ -116,7 +121,8 @@ fn nothing_is_certified_that_is_off() {
         let [clearance, force] = body.clearance_and_force(&own);
         let pressed: Vec<usize> = (0..force.len()).filter(|i| 0.0 < force[*i]).collect();
         let right = Right::of(&few, &pressed);
-        let proof = prove(&body, own.x.iter().map(|x| 0.0 < *x)).unwrap_or_else(|error| panic!("{case}: {error}, {few:?}"));
+        let proof =
+            prove(&body, own.x.iter().map(|x| 0.0 < *x)).unwrap_or_else(|error| panic!("{case}: {error}, {few:?}"));
         for solver in Solver::ALL {
             let answer = body.run(solver, 1e-10);
             let verdict = Verdict::new(Ok(proof.errors(&body, &answer)), EXACT, answer.run.reports_success);
@@ -138,7 +144,11 @@ fn nothing_is_certified_that_is_off() {
             if verdict.status == Status::Certified {
                 let force: Vec<RBig> = list.iter().copied().map(RBig::of).collect();
                 let State { displacement, energy, .. } = few.under(&force).expect("definite");
-                assert_eq!(right.flaw(Some(&displacement), &force, &energy), None, "{case}, forces {k} {list:?}: {few:?}");
+                assert_eq!(
+                    right.flaw(Some(&displacement), &force, &energy),
+                    None,
+                    "{case}, forces {k} {list:?}: {few:?}"
+                );
             }
             right_ones[0] += usize::from(k == 0 && verdict.status == Status::Certified);
             refused += usize::from(verdict.status != Status::Certified);
@@ -149,16 +159,19 @@ fn nothing_is_certified_that_is_off() {
             brought += 1;
             if verdict.status == Status::Certified {
                 let State { displacement, force, energy } = stated(&few, &right, &list);
-                assert_eq!(right.flaw(Some(&displacement), &force, &energy), None, "{case}, clearances {k} {list:?}: {few:?}");
+                assert_eq!(
+                    right.flaw(Some(&displacement), &force, &energy),
+                    None,
+                    "{case}, clearances {k} {list:?}: {few:?}"
+                );
             }
             right_ones[1] += usize::from(k == 0 && verdict.status == Status::Certified);
             refused += usize::from(verdict.status != Status::Certified);
         }
     }
-    println!("{bodies} bodies: {solved} certified by the active set; of {brought} answers {refused} refused, right ones certified {right_ones:?}");
     assert!(99 * bodies <= 100 * solved, "{solved} of {bodies}");
     assert!(2 * refused > brought, "{refused} of {brought} forged answers are refused");
-    assert!(97 * bodies <= 100 * right_ones[0], "{} right lists of forces are certified", right_ones[0]);
+    assert!(right_ones.iter().all(|right| 97 * bodies <= 100 * right), "{right_ones:?} right lists are certified");
 }
 
 /// Three springs in a row; the middle one has no ground, however that is written: 5500 on each of the others.
@@ -176,18 +189,28 @@ fn a_gap_without_ground_stretches_nothing() {
                     (i + 1.0) * (3.0 - j) / 4.0 * 1e-6
                 }),
             };
-            let body = Body::new(kind, matrix, None, vec![0.001, far, 0.001], vec![5000.0, 3000.0, 5000.0]).expect("definite");
+            let body =
+                Body::new(kind, matrix, None, vec![0.001, far, 0.001], vec![5000.0, 3000.0, 5000.0]).expect("definite");
             for solver in Solver::ALL {
                 let answer = body.run(solver, 1e-12);
                 let [clearance, force] = body.clearance_and_force(&answer);
                 let witness = body.run(Solver::ActiveSet, 0.0);
                 let proof = prove(&body, witness.x.iter().map(|x| 0.0 < *x)).expect("well conditioned");
                 let verdict = Verdict::new(Ok(proof.errors(&body, &answer)), EXACT, true);
-                let off = force.iter().zip([5500.0, 0.0, 5500.0]).map(|(p, right): (_, f64)| (p - right).abs()).fold(0.0, f64::max);
+                let off = force
+                    .iter()
+                    .zip([5500.0, 0.0, 5500.0])
+                    .map(|(p, right): (_, f64)| (p - right).abs())
+                    .fold(0.0, f64::max);
                 let certified = verdict.status == Status::Certified;
                 assert!(!certified || off < 1e-6 * 5500.0, "{solver}, {far:e}: {force:?}");
                 assert!(certified || solver != Solver::ActiveSet, "{solver}, {far:e}: {}", verdict.reason);
-                assert!(!certified || (clearance[1] - (far - 0.0025)).abs() <= 1e-9 || far - 0.0025 == clearance[1], "{far:e}");
+                assert!(
+                    !certified
+                        || (clearance[1] - (far - 0.0025)).abs() <= 1e-9
+                        || clearance[1].total_cmp(&(far - 0.0025)).is_eq(),
+                    "{far:e}"
+                );
             }
         }
     }

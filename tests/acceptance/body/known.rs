@@ -55,7 +55,12 @@ fn narrow_bands_are_solved_at_once_and_proven() {
         let (answer, proof) = solved(&body);
         let solves = answer.run.iterations;
         assert!(answer.run.reports_success && solves <= 3, "{n}, {condition:e}: {solves} solves");
-        assert!(proof.error <= PROVEN * proof.sizes.clearance, "{n}, {condition:e}: {:.1e} of {:?}", proof.error, proof.sizes);
+        assert!(
+            proof.error <= PROVEN * proof.sizes.clearance,
+            "{n}, {condition:e}: {:.1e} of {:?}",
+            proof.error,
+            proof.sizes
+        );
     }
 }
 

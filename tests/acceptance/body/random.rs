@@ -54,7 +54,10 @@ fn no_bound_is_untrue() {
             let off = apart(&solved, &clearance);
             assert!(least <= off && off <= most, "{solver}: {off:e} not in {least:e} … {most:e}");
             let verdict = Verdict::new(Ok(proof.errors(&body, &answer)), EXACT, answer.run.reports_success);
-            assert!(off <= 1e-6 * proof.sizes.clearance || verdict.status != Status::Certified, "{solver}: {off:e} is certified");
+            assert!(
+                off <= 1e-6 * proof.sizes.clearance || verdict.status != Status::Certified,
+                "{solver}: {off:e} is certified"
+            );
             ratios.extend((TOLD < off).then(|| most / off));
         }
     }
