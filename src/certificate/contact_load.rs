@@ -17,6 +17,8 @@ pub struct ContactLoad {
     pub(crate) pressing: Vec<(f64, f64)>,
     /// Places and forces that were cut off, all negative.
     pub(crate) pulling: Vec<(f64, f64)>,
+    /// Places of all that were given, those without a force among them.
+    pub(crate) places: Vec<f64>,
 }
 
 /// A force that is none.
@@ -62,9 +64,10 @@ impl ContactLoad {
     /// A force or a place that is not finite, or a place that is not on the beam.
     pub fn new(length: f64, forces: impl IntoIterator<Item = (f64, f64)>) -> Result<Self, NotAForce> {
         let all = Self::sorted(length, forces)?;
+        let places = all.iter().map(|f| f.0).collect();
         let pressing = all.iter().copied().filter(|f| 0.0 < f.1).collect();
         let pulling = all.into_iter().filter(|f| f.1 < 0.0).collect();
-        Ok(Self { pressing, pulling })
+        Ok(Self { pressing, pulling, places })
     }
 
     /// Finite forces on the beam from left to right, one at a place.
@@ -102,7 +105,8 @@ impl ContactLoad {
     /// The same in other units, all powers of two.
     pub(crate) fn scaled(&self, scale: &Scale) -> Self {
         let scaled = |forces: &[(f64, f64)]| forces.iter().map(|f| (f.0 / scale.length, f.1 / scale.force)).collect();
-        Self { pressing: scaled(&self.pressing), pulling: scaled(&self.pulling) }
+        let places = self.places.iter().map(|x| x / scale.length).collect();
+        Self { pressing: scaled(&self.pressing), pulling: scaled(&self.pulling), places }
     }
 }
 
@@ -119,13 +123,21 @@ pub(super) fn deflection(
     let mut net = enclosed.load.clone();
     net.points.extend(upwards);
     net.points.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let enclosed = EnclosedScene { load: &net, ..*enclosed };
+    bent(&EnclosedScene { load: &net, ..*enclosed }, &forces.pressing, breaks)
+}
+
+/// The same of a beam under its load and the contact forces together.
+pub(super) fn bent(
+    enclosed: &EnclosedScene<'_>,
+    pressing: &[(f64, f64)],
+    breaks: &[f64],
+) -> Option<Vec<([f64; 2], Polynomial)>> {
     let mut nodes: Vec<ContactNode> = enclosed.supports.iter().map(|s| ContactNode::free(s.x)).collect();
     let mut places: Vec<f64> = enclosed.supports.iter().map(|s| s.x).collect();
     if let [] | [EnclosedSupport { slope: None, .. }] = enclosed.supports {
         while places.len() < 2 {
             let turns = |&(at, force): &(f64, f64)| force * places.first().map_or(1.0, |x| (at - x).abs());
-            let most = forces.pressing.iter().max_by(|a, b| turns(a).total_cmp(&turns(b)))?;
+            let most = pressing.iter().max_by(|a, b| turns(a).total_cmp(&turns(b)))?;
             if turns(most) <= 0.0 {
                 return None;
             }
@@ -134,10 +146,10 @@ pub(super) fn deflection(
         }
     }
     nodes.sort_by(|a, b| a.x.total_cmp(&b.x));
-    balance(&enclosed, &mut nodes);
+    balance(enclosed, &mut nodes);
     let ends = |i: usize| [i.checked_sub(1).map(|i| &nodes[i]), nodes.get(i)];
     let spans = (0..=nodes.len()).filter_map(|i| enclosed.span(ends(i)[0], ends(i)[1]));
-    let curves = spans.flat_map(|span| span.curves(&enclosed, breaks.to_vec()));
+    let curves = spans.flat_map(|span| span.curves(enclosed, breaks.to_vec()));
     Some(curves.map(|(part, [v, _])| (part, v)).collect())
 }
 

@@ -48,6 +48,7 @@ mod largest;
 mod lumped;
 mod moments;
 mod quantities;
+mod spread;
 mod standing;
 mod stretches;
 mod summed;
@@ -150,7 +151,7 @@ impl Proof {
         let known = self.pair.as_ref().and_then(|(pair, ends)| match judged {
             Judged::Nodes(nodes) => in_intervals(scene, *balance, |enclosed| of_nodes(enclosed, scale, pair, nodes)),
             Judged::Forces(forces) => {
-                in_intervals(scene, *balance, |enclosed| of_forces(enclosed, pair, &forces.scaled(scale)))
+                in_intervals(scene, *balance, |enclosed| of_forces(scene, enclosed, pair, &forces.scaled(scale)))
             }
             Judged::Witness => of_witness(pair, *ends, scene.beam()),
         });
@@ -191,9 +192,12 @@ fn of_nodes(enclosed: &EnclosedScene<'_>, scale: &Scale, pair: &Pair, nodes: &No
 }
 
 /// The same of the deflection that contact forces cause.
-fn of_forces(enclosed: &EnclosedScene<'_>, pair: &Pair, forces: &ContactLoad) -> Option<(Error, f64)> {
+fn of_forces(scene: &Scene, enclosed: &EnclosedScene<'_>, pair: &Pair, forces: &ContactLoad) -> Option<(Error, f64)> {
     let EnclosedScene { stiffness, length, .. } = *enclosed;
-    let caused = contact_load::deflection(forces, enclosed, &[])?;
+    let caused = match scene.ground_stiffness() {
+        Some(_) => spread::deflection(scene, enclosed, forces),
+        None => contact_load::deflection(forces, enclosed, &[]),
+    }?;
     let cells = caused.iter().copied().map(judged::Cell::of);
     let error = distance::of(pair, judged::parts(&pair.pieces, cells, length), stiffness, length)?;
     let size = largest(caused.iter().copied());

@@ -6,6 +6,7 @@ use super::kernel::contact_node::EnclosedScene;
 use super::kernel::interval::Interval;
 use super::kernel::polynomial::Polynomial;
 use super::lumped::Lumped;
+use super::spread;
 use crate::scene::{Resultant, Scaled, Scene, SceneError};
 
 /// A condition of contact.
@@ -18,6 +19,8 @@ pub enum ViolationKind {
     Penetration,
     /// `p (u − v) = 0`: a force acts where the beam that these forces hold is clear of the foundation.
     Complementarity,
+    /// `p = k (v − g)₊`: a force is not that of the springs that it stands for below the beam that these forces bend.
+    SpringLaw,
     /// `∫p = W`, `∫p x = W x_W`: the forces do not balance the loads of a beam that its supports do not hold.
     Balance,
 }
@@ -30,6 +33,7 @@ impl ViolationKind {
             Self::Tension => "tension",
             Self::Penetration => "penetration",
             Self::Complementarity => "complementarity",
+            Self::SpringLaw => "spring-law",
             Self::Balance => "balance",
         }
     }
@@ -50,20 +54,20 @@ pub struct Violation {
     pub relative: f64,
 }
 
-/// The worst violation of each condition that is violated at all, the worst of them first. On ground that gives, forces at places do
-/// not limit how deep the beam may be in it.
+/// The worst violation of each condition that is violated at all, the worst of them first. On ground that gives, forces are compared with
+/// those of the springs below the beam that they bend.
 ///
 /// # Errors
 ///
 /// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled.
 pub fn violations(scene: &Scene, given: &ContactLoad) -> Result<Vec<Violation>, SceneError> {
-    scene.is_placed_by_forces()?;
     enclosed(scene, |enclosed, scaled| {
         let scale = &scaled.scale;
         let forces = given.scaled(scale);
         let all = sum(&forces);
         let mut found: Vec<Violation> = tension(&forces, all).into_iter().collect();
         found.extend(imbalance(scaled, &forces));
+        found.extend(of_springs(scaled, enclosed, &forces));
         for of_force in &mut found {
             (of_force.at, of_force.amount) = (of_force.at * scale.length, of_force.amount * scale.force);
         }
@@ -79,6 +83,19 @@ pub fn violations(scene: &Scene, given: &ContactLoad) -> Result<Vec<Violation>, 
         found.sort_by(|a, b| b.relative.total_cmp(&a.relative));
         found
     })
+}
+
+/// By how much the worst of the forces is off that of the springs which it stands for, of the true foundation below its share of the beam.
+fn of_springs(scaled: &Scaled, enclosed: &EnclosedScene<'_>, forces: &ContactLoad) -> Option<Violation> {
+    let k = scaled.scene.ground_stiffness()?;
+    let beam = spread::deflection(&scaled.scene, enclosed, forces)?;
+    let off = spread::spread(&scaled.scene, forces).into_iter().filter(|f| 0.0 < f.width).map(|f| {
+        let sunk = spread::at(&beam, f.x) - enclosed.gap.depth(f.x).middle();
+        (f.x, (f.force - k * f.width * sunk.max(0.0)).abs())
+    });
+    let (at, amount) = worst(off);
+    let relative = share(amount, sum(forces));
+    (0.0 < amount).then_some(Violation { kind: ViolationKind::SpringLaw, at, amount, relative })
 }
 
 /// How far the beam that forces hold is in the foundation, and how far from it a force acts.

@@ -54,7 +54,12 @@ Examples:
 
 const CERTIFY_EXAMPLE: &str = "\
 FORCES is a CSV file with the header x,force: places along the beam and forces of the foundation on
-the beam, positive upwards, all of them. A beam that its supports do not hold needs a rigid foundation.
+the beam, positive upwards, all of them.
+On an elastic foundation (foundation.stiffness) a force is that of the spring at a node: it is spread
+evenly over half the distance to its neighbours (list nodes without a force as well, with 0). A beam
+that its supports do not hold is placed where its springs exert these forces as nearly as possible.
+The bound is on the deflection of the beam so loaded and placed, against that of the continuous beam.
+
 For a scene with a [body] the header is i,force or i,clearance: freedoms, from 1, with contact forces
 or clearances. The largest error of a clearance is then bounded from both sides.
 

@@ -78,7 +78,16 @@ pub(super) fn text(input: &Input, finding: &Finding) -> String {
         || "distributed".to_owned(),
         |intervals| format!("lumped at the nodes of {intervals} equal intervals"),
     );
-    text += &list(&[("load", load), (&labels.force.name("forces cut off"), cut)]);
+    let mut lines = vec![("load", load)];
+    if input.scene.ground_stiffness().is_some() && finding.intervals.is_none() {
+        lines.push(("forces", "each spread over half the distance to its neighbours, as its spring is".to_owned()));
+    }
+    if input.scene.ground_stiffness().is_some() && !input.scene.beam().is_held() {
+        lines.push(("position", "where the springs exert these forces as nearly as possible".to_owned()));
+    }
+    let cut_off = labels.force.name("forces cut off");
+    lines.push((&cut_off, cut));
+    text += &list(&lines);
     text += &bounds(&finding.certificate, &labels);
     let best = magnitude_at_most(finding.certificate.best_deflection_error);
     text += &list(&[(&labels.length.name("error of the best deflection found"), best)]);
@@ -98,6 +107,7 @@ pub(super) fn text(input: &Input, finding: &Finding) -> String {
                 ViolationKind::Tension => labels.force.name("a force pulls"),
                 ViolationKind::Penetration => labels.length.name("the beam is in the foundation"),
                 ViolationKind::Complementarity => labels.length.name("a force acts across a clearance"),
+                ViolationKind::SpringLaw => labels.force.name("a force is not that of its spring"),
                 ViolationKind::Balance => labels.force.name("the forces do not balance the loads"),
             };
             vec![what, magnitude(v.amount), magnitude(v.relative), labels.number(v.at)]

@@ -298,14 +298,18 @@ impl Scene {
         self.ground_stiffness().map_or(Ok(()), |_| Err(SceneError::NeedsRigidGround { what }))
     }
 
-    /// Whether contact forces determine the position of the beam: not if supports do not hold it, on ground that gives way below each
-    /// force by an amount that depends on the length over which it acts.
+    /// Whether contact forces at nodes, without the lengths over which they act, determine the position of the beam: not if supports do
+    /// not hold it, on ground that gives way below each force by an amount that depends on that length.
     ///
     /// # Errors
     ///
     /// [`SceneError::NeedsRigidGround`] if not.
     pub fn is_placed_by_forces(&self) -> Result<(), SceneError> {
-        if self.beam.is_held() { Ok(()) } else { self.on_rigid_ground("a check of forces that alone hold a beam") }
+        if self.beam.is_held() {
+            Ok(())
+        } else {
+            self.on_rigid_ground("a check of nodal loads and forces that alone hold a beam")
+        }
     }
 }
 

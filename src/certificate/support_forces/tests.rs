@@ -174,10 +174,10 @@ fn a_beam_is_clear_beside_a_support_whose_level_is_the_ground() {
     }
 }
 
-/// A load `q` on a pressed piece of length `w`: `∫ q φ > √(2 gap EI ∫ φ''²)` for `φ = s² (w − s)²`, `q w⁵/30` and `4 w⁵/5`.
+/// A load `q` on a beam that is pressed all along `w`: `∫ q φ > √(2 gap EI ∫ φ''²)` for `φ = s² (w − s)²`, `q w⁵/30` and `4 w⁵/5`.
 #[test]
 fn a_beam_lies_beside_a_support_where_the_load_is_more_than_the_gap() {
-    const WIDTH: f64 = 5.0;
+    const WIDTH: f64 = LENGTH;
     let most = WIDTH * WIDTH * WIDTH * WIDTH * WIDTH / (1440.0 * STIFFNESS);
     for (share, lies) in [(0.999, true), (1.001, false)] {
         let pressed = Piece { pressed: true, ..piece([0.0, WIDTH], &[0.0]) };
@@ -185,6 +185,30 @@ fn a_beam_lies_beside_a_support_where_the_load_is_more_than_the_gap() {
             assert_eq!(lies_beside(enclosed, pair, 0.0, 1), lies, "{share}");
         });
     }
+}
+
+/// Built in along level ground, the beam leaves it with a curvature `κ`: it is clear of it from the support on, unless the deflection is
+/// off by more than the clearance all along, or leaves it with the cube of the distance only.
+#[test]
+fn a_beam_that_is_bent_away_from_its_support_is_clear_there() {
+    const KAPPA: f64 = 0.02;
+    let beam = Beam::new(LENGTH, STIFFNESS).and_then(|beam| beam.with_supports(vec![Support::built_in(0.0)]));
+    let beam = beam.expect("one support");
+    let load = Load::uniform_on(&beam, 1.0).expect("finite");
+    let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 0.0 })).expect("well posed");
+    // `κ s²/2` and the bound `√(2 gap/3 EI) s^(3/2)` at the far end of the first of sixteen parts.
+    let part = LENGTH / 16.0;
+    let most = 1.5 * STIFFNESS * 0.25 * KAPPA * KAPPA * part;
+    let clear = |v: &[f64], gap: f64| {
+        let at = Line(Datum::at(0.0), Datum::at(0.0));
+        let pair = Pair { lines: vec![at], ..pair_on_two_ends(vec![piece([0.0, LENGTH], v)], gap) };
+        in_intervals(&scene, Balance::Held, |enclosed| opens(enclosed, &pair, 0.0, [0.0, part]))
+    };
+    let bent = [0.0, 0.0, -0.5 * KAPPA];
+    assert!(clear(&bent, 0.0) && clear(&bent, 1e-3 * most));
+    assert!(!clear(&bent, 2.0 * most), "off by more than it is clear");
+    assert!(!clear(&[0.0, 0.0, 0.0, -KAPPA], 0.0), "whatever the shear force is, a contact nearer would be as good");
+    assert!(!clear(&[0.0, 0.0, 0.5 * KAPPA], 0.0), "into the ground");
 }
 
 /// A line on soft ground, and on stiff ground a bent shape of the best width.

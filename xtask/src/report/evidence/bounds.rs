@@ -157,6 +157,7 @@ fn words(violation: Option<Violation>) -> String {
         ViolationKind::Tension => "a force pulls",
         ViolationKind::Penetration => "beam in the ground",
         ViolationKind::Complementarity => "force without touching",
+        ViolationKind::SpringLaw => "force of no spring",
         ViolationKind::Balance => "forces out of balance",
     };
     format!("{what}, {}", cell(Some(violation.relative), 2))

@@ -1,0 +1,146 @@
+//! Forces that a program computed on the springs of an elastic foundation: over which length each acts, and where a beam is that they
+//! alone hold.
+//!
+//! The spring at a node of a mesh stands for the foundation on its share of the beam. So each force is spread evenly over half the
+//! distance to the nearer of its neighbours, on both sides: its resultant stays where it was given. A force at an end of the beam, at a
+//! support that only pushes or without a neighbour stays concentrated.
+//!
+//! Where supports do not hold the beam, forces bend it, and say how deep it is as springs do, over the width `w` of each:
+//!
+//! ```text
+//! v(x_i) ≈ g(x_i) + f_i/(k w_i),      v + a + b x, or v + b (x − x_s) on a single support, by least squares
+//! ```
+//!
+//! What is judged is the beam under the true load and these pressures, in this position. The bound on its error holds whatever the
+//! forces are.
+
+use super::contact_load::{ContactLoad, bent};
+use super::kernel::contact_node::EnclosedScene;
+use super::kernel::interval::Interval;
+use super::kernel::polynomial::Polynomial;
+use super::standing;
+use crate::scene::{LinearLoad, Load, Scene};
+
+/// A cell of a deflection: `v(from + s)`.
+type Curve = ([f64; 2], Polynomial);
+
+/// A force that presses, over how much of the beam it is spread; zero where it is concentrated.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Spread {
+    pub(super) x: f64,
+    pub(super) force: f64,
+    pub(super) width: f64,
+}
+
+/// The forces, from left to right, on a dimensionless scene.
+pub(super) fn spread(scene: &Scene, forces: &ContactLoad) -> Vec<Spread> {
+    let (length, places) = (scene.beam().length(), &forces.places);
+    let width = |x: f64| {
+        let i = places.partition_point(|place| *place < x);
+        let beside = [i.checked_sub(1), Some(i + 1)].map(|i| places.get(i?).map(|place| (place - x).abs()));
+        let nearest = beside.into_iter().flatten().reduce(f64::min).unwrap_or(0.0);
+        let stands = scene.beam().bearings().iter().any(|bearing| (bearing.at - x).abs() <= 0.5 * nearest);
+        if stands { 0.0 } else { (2.0 * x.min(length - x)).min(nearest) }
+    };
+    forces.pressing.iter().map(|&(x, force)| Spread { x, force, width: width(x) }).collect()
+}
+
+/// The deflection that they cause; [`None`] where they say nothing of its position.
+pub(super) fn deflection(scene: &Scene, enclosed: &EnclosedScene<'_>, forces: &ContactLoad) -> Option<Vec<Curve>> {
+    let (k, given) = (scene.ground_stiffness()?, spread(scene, forces));
+    let spread = given.iter().filter(|f| 0.0 < f.width).map(|f| {
+        let [from, to, pressure] = [f.x - 0.5 * f.width, f.x + 0.5 * f.width, -f.force / f.width];
+        LinearLoad { from: from.max(0.0), to: to.min(enclosed.length), start: pressure, end: pressure }
+    });
+    let (load, beam) = (scene.load(), scene.beam());
+    let linear = load.linear().iter().copied().chain(spread).collect();
+    let load = Load::new(beam, load.uniform(), linear, load.point().to_vec()).ok()?;
+    let net = Scene::above(beam.clone(), load, scene.foundation().cloned(), Some(k)).ok()?;
+    let mut net = standing::between(&net);
+    let concentrated = given.iter().filter(|f| f.width <= 0.0);
+    net.points.extend(concentrated.map(|f| (f.x, Interval::exact(-f.force))));
+    net.points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut curves = bent(&EnclosedScene { load: &net, ..*enclosed }, &forces.pressing, &[])?;
+    if !beam.is_held() {
+        let about = beam.supports().first().map(|support| support.at);
+        let [level, slope] = placed(enclosed, &curves, &given, k, about)?;
+        for ([from, _], v) in &mut curves {
+            let line = Interval::exact(level) + Interval::exact(slope) * Interval::exact(*from);
+            *v = v.plus(&Polynomial::new(&[line, Interval::exact(slope)]));
+        }
+    }
+    Some(curves)
+}
+
+/// `v` at a place.
+pub(super) fn at(curves: &[Curve], x: f64) -> f64 {
+    let i = curves.partition_point(|(part, _)| part[1] < x).min(curves.len() - 1);
+    let ([from, _], v) = &curves[i];
+    v.at(Interval::exact(x) - Interval::exact(*from)).middle()
+}
+
+/// `a` and `b`; about a place, if that is given, `a = −b x_s`.
+fn placed(
+    enclosed: &EnclosedScene<'_>,
+    curves: &[Curve],
+    given: &[Spread],
+    k: f64,
+    about: Option<f64>,
+) -> Option<[f64; 2]> {
+    let lacking = given.iter().filter(|f| 0.0 < f.width).map(|f| {
+        let sunk = f.force / (k * f.width);
+        (f.x, enclosed.gap.depth(f.x).middle() + sunk - at(curves, f.x))
+    });
+    let lacking: Vec<(f64, f64)> = lacking.collect();
+    #[expect(clippy::cast_precision_loss, reason = "a number of forces")]
+    let count = lacking.len() as f64;
+    let mean = |of: &dyn Fn(&(f64, f64)) -> f64| lacking.iter().map(of).sum::<f64>() / count;
+    let (x, level) = about.map_or_else(|| (mean(&|p| p.0), mean(&|p| p.1)), |about| (about, 0.0));
+    let sums = lacking.iter().map(|p| [(p.0 - x) * (p.0 - x), (p.0 - x) * (p.1 - level)]);
+    let [square, product] = sums.fold([0.0; 2], |sum, part| [sum[0] + part[0], sum[1] + part[1]]);
+    let slope = product / square;
+    (level.is_finite() && slope.is_finite()).then_some([level - slope * x, slope])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certificate::in_intervals;
+    use crate::scene::{Balance, Beam, Foundation, PointLoad};
+
+    /// A beam under its weight on level springs sinks by `q/k`, and does not bend: so it does under forces that are those of the springs
+    /// of any mesh, where their shares are even; and one that is moved and turned is put where the springs say.
+    #[test]
+    fn forces_say_where_a_beam_is() {
+        const LENGTH: f64 = 8.0;
+        let beam = Beam::new(LENGTH, 3.0).and_then(|beam| beam.with_supports(Vec::new())).expect("a beam");
+        let load = Load::uniform_on(&beam, 2.0).expect("finite");
+        let ground = Some(Foundation::Polynomial { coefficients: vec![0.25, 0.125] });
+        let scene = Scene::above(beam, load, ground, Some(5.0)).expect("a scene");
+        let forces = (0..16).map(|i| (0.25 + 0.5 * f64::from(i), 1.0));
+        let forces = ContactLoad::new(LENGTH, forces).expect("forces");
+        let curves = in_intervals(&scene, Balance::Held, |enclosed| deflection(&scene, enclosed, &forces));
+        let curves = curves.expect("a position");
+        for x in [0.0, 1.0, 3.3, 8.0] {
+            let expected = 0.25 + 0.125 * x + 0.4;
+            assert!((at(&curves, x) - expected).abs() <= 1e-13, "{} for {expected} at {x}", at(&curves, x));
+        }
+        // One force says how deep the beam is, and not how it turns.
+        let one = ContactLoad::new(LENGTH, [(4.0, 16.0), (5.0, 0.0)]).expect("a force");
+        assert!(in_intervals(&scene, Balance::Held, |enclosed| deflection(&scene, enclosed, &one)).is_none());
+    }
+
+    /// Half the distance to the nearer neighbour, zeros among them; none at an end, and none alone.
+    #[test]
+    fn forces_have_their_share_of_the_beam() {
+        let beam = Beam::new(8.0, 3.0).expect("positive");
+        let load = Load::new(&beam, 0.0, Vec::new(), vec![PointLoad { at: 4.0, force: 1.0 }]).expect("finite");
+        let scene = Scene::above(beam, load, Some(Foundation::Flat { depth: 0.0 }), Some(1.0)).expect("a scene");
+        let widths = |forces: &[(f64, f64)]| -> Vec<f64> {
+            let forces = ContactLoad::new(8.0, forces.iter().copied()).expect("forces");
+            spread(&scene, &forces).iter().map(|f| f.width).collect()
+        };
+        assert_eq!(widths(&[(0.0, 1.0), (1.0, 1.0), (2.0, 0.0), (5.0, 2.0), (7.5, 1.0)]), [0.0, 1.0, 2.5, 1.0]);
+        assert_eq!(widths(&[(3.0, 1.0)]), [0.0]);
+    }
+}
