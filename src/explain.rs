@@ -19,6 +19,10 @@
 //! V_l = (M_r − M_l)/L + A_l,    V_r = (M_r − M_l)/L − A_r,    R = V(x+) − V(x−) + P
 //! ```
 
+mod springs;
+
+pub use springs::{Chain, ChainNode, Link, Parts};
+
 use crate::scene::{Concentrated, Foundation, Scene};
 use crate::state::SupportForce;
 use crate::theory::{Exact, gauss::Gauss};
@@ -46,6 +50,10 @@ pub enum What {
     Point,
     /// An end of a zone: its place is an unknown.
     ZoneEnd,
+    /// A point load, or an end of a distributed one, on an elastic foundation.
+    Load,
+    /// No more than a place of the beam on an elastic foundation.
+    Between,
 }
 
 impl What {
@@ -60,6 +68,8 @@ impl What {
             Self::Corner => "contact at a corner",
             Self::Point => "contact at a point",
             Self::ZoneEnd => "end of a zone",
+            Self::Load => "load",
+            Self::Between => "place between",
         }
     }
 }

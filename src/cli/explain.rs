@@ -1,7 +1,9 @@
 //! `explain`: the equations of the exact answer, with their numbers, as text or as Markdown with formulas.
 
+mod chain;
+
 use clap::{Args, ValueEnum};
-use palkki::explain::{Equation, Explanation, Node, Overhang, Span, What};
+use palkki::explain::{Chain, Equation, Explanation, Node, Overhang, Span, What};
 use palkki::text::{magnitude, markdown_text};
 
 use super::answer::Answer;
@@ -55,7 +57,6 @@ const FORMULAS: [[&str; 2]; 3] = [
 pub(super) fn text(input: &Input, answer: &Answer, form: Explained) -> String {
     let (labels, verdict) = (input.labels(), &answer.solution.verdict);
     let Some(exact) = &answer.solution.exact else { return heading(verdict.status, &answer.reason(), input) };
-    let found = Explanation::of(&input.scene, exact);
     let lines = given(&input.scene, &labels);
     let head = match form {
         Explained::Text => heading(verdict.status, &answer.reason(), input) + &list(&lines),
@@ -65,6 +66,10 @@ pub(super) fn text(input: &Input, answer: &Answer, form: Explained) -> String {
             format!("# {title}\n\nStatus: {}.\n\n{warnings}{}", verdict.status, lines.collect::<String>())
         }
     };
+    if let Some(chain) = Chain::of(&input.scene, exact) {
+        return head + &chain::text(&chain, &labels, form);
+    }
+    let found = Explanation::of(&input.scene, exact);
     let page = Page { moment: found.moment(), found, labels, form };
     let shaped = input.scene.beam().shape().is_some();
     head + &page.nodes(shaped) + &page.spans() + &page.overhangs() + &page.equations() + &page.forces()
@@ -81,10 +86,7 @@ struct Page {
 
 impl Page {
     fn table(&self, title: &str, header: &[&str], rows: &[Row]) -> String {
-        match self.form {
-            Explained::Text => table(title, header, rows),
-            Explained::Markdown => markdown(title, header, rows),
-        }
+        tabled(self.form, title, header, rows)
     }
 
     fn number(&self, value: f64) -> String {
@@ -265,6 +267,14 @@ fn name(nodes: &[Node], node: usize, right: bool, size: f64) -> String {
 /// Spans are a, b, c, …, then 27, 28, ….
 fn letter(i: usize) -> String {
     u8::try_from(i).ok().filter(|i| *i < 26).map_or_else(|| (i + 1).to_string(), |i| char::from(b'a' + i).to_string())
+}
+
+/// A table in one of the two forms.
+fn tabled(form: Explained, title: &str, header: &[&str], rows: &[Row]) -> String {
+    match form {
+        Explained::Text => table(title, header, rows),
+        Explained::Markdown => markdown(title, header, rows),
+    }
 }
 
 /// A table as Markdown.

@@ -13,6 +13,7 @@ mod random_lists;
 mod right;
 mod scale;
 mod sharpness;
+mod sprung;
 mod supports;
 mod truth;
 mod verdict;

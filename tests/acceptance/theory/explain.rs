@@ -1,10 +1,12 @@
 //! The equations of an explanation hold for the moments of the exact answer, and are those of a textbook.
 
-use palkki::explain::{Explanation, What};
+use palkki::explain::{Chain, Explanation, Parts, What};
 use palkki::scene::{Beam, Foundation, LinearLoad, Load, Scene, Support};
 use palkki::theory;
 use palkki_evidence::hostile;
+use palkki_evidence::random::sample_of;
 
+use super::settled::pipe;
 use crate::scenes::on_supports;
 
 /// `2 L M(2)·2 = −q L³/2` for two equal spans, and what a middle support that settles by `d` adds, `6 EI·2 d/L`.
@@ -117,4 +119,55 @@ fn equations_of_random_scenes_hold() {
         }
     }
     assert!(1000 < equations && kinds.iter().all(|count| 20 < *count), "{equations}, {kinds:?}");
+}
+
+/// On an elastic foundation the slopes and the shear forces of the links meet at every node, with numbers that the links compute from the
+/// scene alone: free beams, supports in soil, clamps, bearings, waves and polylines.
+#[test]
+fn the_links_of_a_chain_meet_at_every_node() {
+    /// What is left of `v` and `M`, which have twelve digits, over the shortest link.
+    const LEFT: f64 = 1e-8;
+    for seed in 0..sample_of(200) {
+        let scene = pipe(seed);
+        let exact = theory::solve(&scene).expect("an answer");
+        let chain = Chain::of(&scene, &exact).expect("an elastic foundation");
+        let sizes = |of: &dyn Fn(usize) -> [Option<Parts>; 2]| -> f64 {
+            let all = (0..chain.nodes.len()).flat_map(of).flatten();
+            all.fold(0.0, |most: f64, parts| most.max(parts.size()))
+        };
+        let sizes = [sizes(&|node| chain.slopes(node)), sizes(&|node| chain.shears(node))];
+        for node in 0..chain.nodes.len() {
+            let off = chain.residuals(node);
+            let close = [0, 1].map(|kind| off[kind] <= LEFT * sizes[kind]);
+            assert_eq!(close, [true; 2], "{seed}, node {node}: {off:?} of {sizes:?}\n{scene:?}");
+        }
+        // The reactions are among what is printed.
+        let forces: f64 = chain.nodes.iter().map(|node| node.force).sum();
+        let own: f64 = exact.state.supports.iter().map(|support| support.force).sum();
+        assert!((forces - own).abs() <= 1e-9 * (own.abs() + scene.load().magnitude(scene.beam().length())));
+    }
+    let rigid = on_supports([6.0, 40.0], &[Support::simple(0.0), Support::simple(6.0)], (3.0, &[]), None);
+    assert!(Chain::of(&rigid, &theory::solve(&rigid).expect("an answer")).is_none());
+}
+
+/// Without a foundation a link has the terms of the equation of three moments: `c = 1/L`, `w = L/3EI`, `ω = L/6EI`, `s = q L³/24 EI` and
+/// `t = q L/2`.
+#[test]
+fn a_link_off_the_foundation_is_a_simple_beam() {
+    let (length, stiffness, q) = (6.0, 40.0, 3.0);
+    let held = [Support::simple(0.0), Support::simple(length)];
+    let scene = on_supports([length, stiffness], &held, (q, &[]), Some(Foundation::Flat { depth: 50.0 }));
+    let scene = scene.on_springs(7.0).expect("a scene");
+    let chain = Chain::of(&scene, &theory::solve(&scene).expect("an answer")).expect("an elastic foundation");
+    let [link] = chain.links[..] else { panic!("{chain:?}") };
+    let close = |found: [f64; 2], expected: [f64; 2]| {
+        let off = found.into_iter().zip(expected).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
+        assert!(off <= 1e-12 * (expected[0].abs() + expected[1].abs()), "{found:?} for {expected:?}");
+    };
+    close(link.stretch, [1.0 / length, 0.0]);
+    close(link.bend, [length / (3.0 * stiffness), length / (6.0 * stiffness)]);
+    close(link.spring, [0.0; 2]);
+    let turned = q * length * length * length / (24.0 * stiffness);
+    close(link.slopes, [turned, -turned]);
+    close(link.shears, [0.5 * q * length, -0.5 * q * length]);
 }

@@ -15,7 +15,7 @@ mod long;
 mod near;
 mod pushing;
 mod random;
-mod settled;
+pub(crate) mod settled;
 mod springs;
 mod supports;
 mod surveys;

@@ -79,7 +79,7 @@ fn a_support_at_the_level_of_the_ground_takes_what_both_carry() {
 }
 
 /// A pipe in soil, on up to three supports: settled into the soil, built in where it rises, or bearings in it and at its surface.
-fn pipe(seed: u64) -> Scene {
+pub(crate) fn pipe(seed: u64) -> Scene {
     let mut random = Random::new(0x5f_0000 + seed);
     let length = random.pick(&[20.0, 40.0, 100.0]);
     let depth = random.pick(&[-0.05, 0.0, 0.02]);

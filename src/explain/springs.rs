@@ -1,0 +1,267 @@
+//! The equations of a beam on an elastic foundation: a chain of links, each with the deflections `v` and the moments `M` of its two ends.
+//!
+//! Nodes are the supports, the ends of what is pressed, the point loads, the ends of distributed loads, the points of a polyline below
+//! what is pressed, and so many between that no pressed link is longer than `1/λ`, `4 λ⁴ = k/EI`. On a link
+//!
+//! ```text
+//! EI v'''' + k v = q + k g    where the foundation presses,      EI v'''' = q    elsewhere
+//! v'_l = c (v_r − v_l) − η v_l + w M_l + ω M_r + s_l       V_l = c (M_r − M_l) − η M_l − a v_l − σ v_r + t_l
+//! v'_r = c (v_r − v_l) + η v_r − ω M_l − w M_r + s_r       V_r = c (M_r − M_l) + η M_r + σ v_l + a v_r + t_r
+//! ```
+//!
+//! without a foundation with `c = 1/L, w = L/3EI, ω = L/6EI` and `η = a = σ = 0`, the equations of three moments. With
+//! `K = k/EI` and `W_m = Σ (−K)^r L^(4r+m)/(4r+m)!`, and with `D = W₁² + K W₃²`,
+//!
+//! ```text
+//! c = W₁/D,    η = (W₁ (W₀ − 1) + K W₂ W₃)/D,    w = (W₁ W₂ − W₀ W₃)/D EI,    ω = W₃/D EI,    a = (k EI) w,    σ = (k EI) ω
+//! ```
+//!
+//! `s` and `t` are the slopes and the shear forces of a link whose ends have neither deflection nor moment. At every node `v'` is the same
+//! on both sides, or the slope that a support holds, and `V_right − V_left = R − P`.
+
+use super::{SAME, What, has_lifted};
+use crate::scene::{Foundation, Scene};
+use crate::theory::Exact;
+use crate::theory::gauss::Gauss;
+
+/// A node.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ChainNode {
+    /// What stands there.
+    pub what: What,
+    /// Its place \[length\].
+    pub x: f64,
+    /// `v` \[length\].
+    pub deflection: f64,
+    /// The slope that a support holds.
+    pub slope: Option<f64>,
+    /// `M` just left and just right of it \[force · length\].
+    pub moments: [f64; 2],
+    /// The point load on it \[force\].
+    pub load: f64,
+    /// The force of the support there, upwards on the beam \[force\].
+    pub force: f64,
+}
+
+/// The beam between two neighbouring nodes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Link {
+    /// `L` \[length\].
+    pub length: f64,
+    /// Whether the foundation presses.
+    pub pressed: bool,
+    /// `c` and `η` \[1/length\].
+    pub stretch: [f64; 2],
+    /// `w` and `ω` \[1/(force · length)\].
+    pub bend: [f64; 2],
+    /// `a` and `σ` \[force/length\].
+    pub spring: [f64; 2],
+    /// `s_l` and `s_r`.
+    pub slopes: [f64; 2],
+    /// `t_l` and `t_r` \[force\].
+    pub shears: [f64; 2],
+}
+
+/// A number at one end of a link, by what makes it: deflections, moments, and load with foundation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parts {
+    /// Of `v`.
+    pub deflections: f64,
+    /// Of `M`.
+    pub moments: f64,
+    /// `s` or `t`.
+    pub load: f64,
+}
+
+impl Parts {
+    /// Their sum.
+    #[must_use]
+    pub fn sum(&self) -> f64 {
+        self.deflections + self.moments + self.load
+    }
+
+    /// The largest of them.
+    #[must_use]
+    pub fn size(&self) -> f64 {
+        self.deflections.abs().max(self.moments.abs()).max(self.load.abs())
+    }
+}
+
+/// Nodes and links of an answer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Chain {
+    /// From left to right.
+    pub nodes: Vec<ChainNode>,
+    /// Link `i` is between nodes `i` and `i + 1`.
+    pub links: Vec<Link>,
+    /// Where supports are off which the beam has lifted: no nodes \[length\].
+    pub lifted: Vec<f64>,
+}
+
+impl Chain {
+    /// Of an exact answer of its scene; [`None`] if its foundation does not give.
+    #[must_use]
+    pub fn of(scene: &Scene, exact: &Exact) -> Option<Self> {
+        let stiffness = scene.ground_stiffness()?;
+        let nodes = nodes(scene, exact, stiffness);
+        let is_pressed = |x: f64| exact.state.contacts.iter().any(|contact| contact.from < x && x < contact.to);
+        let link = |pair: &[ChainNode]| {
+            let ends = [pair[0].x, pair[1].x];
+            Link::of(scene, ends, if is_pressed(0.5 * (ends[0] + ends[1])) { stiffness } else { 0.0 })
+        };
+        let lifted = exact.state.supports.iter().filter(|support| has_lifted(support)).map(|support| support.at);
+        Some(Self { links: nodes.windows(2).map(link).collect(), lifted: lifted.collect(), nodes })
+    }
+
+    /// `v'` at a node by the link to its left and by that to its right.
+    #[must_use]
+    pub fn slopes(&self, node: usize) -> [Option<Parts>; 2] {
+        self.beside(node, |link, [left, right], [moment_left, moment_right], is_right| {
+            let ([c, eta], [w, omega]) = (link.stretch, link.bend);
+            let chord = c * (right - left);
+            match is_right {
+                false => [chord - eta * left, w * moment_left + omega * moment_right, link.slopes[0]],
+                true => [chord + eta * right, -omega * moment_left - w * moment_right, link.slopes[1]],
+            }
+        })
+    }
+
+    /// `V` at a node in the same way.
+    #[must_use]
+    pub fn shears(&self, node: usize) -> [Option<Parts>; 2] {
+        self.beside(node, |link, [left, right], [moment_left, moment_right], is_right| {
+            let ([c, eta], [a, sigma]) = (link.stretch, link.spring);
+            let rise = c * (moment_right - moment_left);
+            match is_right {
+                false => [-a * left - sigma * right, rise - eta * moment_left, link.shears[0]],
+                true => [sigma * left + a * right, rise + eta * moment_right, link.shears[1]],
+            }
+        })
+    }
+
+    /// What `v'` on both sides, and the given one, and what the forces at a node differ by.
+    #[must_use]
+    pub fn residuals(&self, node: usize) -> [f64; 2] {
+        let ([left, right], [before, behind]) = (self.slopes(node), self.shears(node));
+        let at = &self.nodes[node];
+        let sum = |parts: Option<Parts>| parts.map(|parts| parts.sum());
+        let known = [sum(left), sum(right), at.slope];
+        let apart = |a: Option<f64>, b: Option<f64>| a.zip(b).map_or(0.0, |(a, b)| (a - b).abs());
+        let turned = apart(known[0], known[1]).max(apart(known[0], known[2])).max(apart(known[1], known[2]));
+        let [before, behind] = [before, behind].map(|side| sum(side).unwrap_or(0.0));
+        [turned, (behind - before + at.load - at.force).abs()]
+    }
+
+    fn beside(&self, node: usize, of: impl Fn(&Link, [f64; 2], [f64; 2], bool) -> [f64; 3]) -> [Option<Parts>; 2] {
+        [(node.checked_sub(1), true), (Some(node), false)].map(|(i, is_right)| {
+            let (i, link) = (i?, self.links.get(i?)?);
+            let [left, right] = [&self.nodes[i], &self.nodes[i + 1]];
+            let ends = [left.deflection, right.deflection];
+            let [deflections, moments, load] = of(link, ends, [left.moments[1], right.moments[0]], is_right);
+            Some(Parts { deflections, moments, load })
+        })
+    }
+}
+
+impl Link {
+    /// On springs of this stiffness, or on none.
+    fn of(scene: &Scene, [from, to]: [f64; 2], stiffness: f64) -> Self {
+        /// Exact to rounding for loads and waves over `1/λ`.
+        const DEGREE: usize = 29;
+        let (length, bending) = (to - from, scene.beam().bending_stiffness());
+        let k = stiffness / bending;
+        let [w0, w1, w2, w3] = [0, 1, 2, 3].map(|m| wave(m, k, length));
+        let less = -k * wave(4, k, length);
+        let d = w1 * w1 + k * w3 * w3;
+        let (w, omega) = ((w1 * w2 - w0 * w3) / d, w3 / d);
+        let own = |x: f64| scene.beam().shape().map_or(0.0, |shape| shape.depth(x));
+        let ground = |x: f64| if 0.0 < stiffness { k * (scene.depth(x) - own(x)) } else { 0.0 };
+        // The beam that begins without deflection, slope, moment and shear force: v, v', v'' and v''' at its other end.
+        let mut begun = [0.0; 4];
+        for (x, weight) in Gauss::exact_to(DEGREE).points(from, to) {
+            let acts = weight * (intensity(scene, x) / bending + ground(x));
+            (0..4).for_each(|m| begun[m] += acts * wave(3 - u32::try_from(m).unwrap_or(0), k, to - x));
+        }
+        let turn = (w3 * begun[2] - w1 * begun[0]) / d;
+        let shear = (w1 * begun[2] + k * w3 * begun[0]) / d;
+        Self {
+            length,
+            pressed: 0.0 < stiffness,
+            stretch: [w1 / d, (w1 * less + k * w2 * w3) / d],
+            bend: [w / bending, omega / bending],
+            spring: [stiffness * w, stiffness * omega],
+            slopes: [turn, turn * w0 - shear * w2 + begun[1]],
+            shears: [bending * shear, bending * (k * w2 * turn + w0 * shear - begun[3])],
+        }
+    }
+}
+
+/// `W_m`, over no more than `1/λ`.
+fn wave(m: u32, k: f64, length: f64) -> f64 {
+    /// Terms: over `1/λ` the next one is less than `4⁷/28!` of the first.
+    const TERMS: u32 = 7;
+    let first = (1..=m).fold(1.0, |product, n| product * length / f64::from(n));
+    let next =
+        |term: &f64, r: u32| (4 * r + m - 3..=4 * r + m).fold(-k * term, |product, n| product * length / f64::from(n));
+    let terms = (1..=TERMS).scan(first, |term, r| {
+        *term = next(term, r);
+        Some(*term)
+    });
+    first + terms.sum::<f64>()
+}
+
+/// The distributed load at a place inside a link.
+fn intensity(scene: &Scene, x: f64) -> f64 {
+    let here = scene.load().linear().iter().filter(|q| q.from <= x && x <= q.to);
+    here.fold(scene.load().uniform(), |sum, q| sum + q.intensity(x))
+}
+
+fn nodes(scene: &Scene, exact: &Exact, stiffness: f64) -> Vec<ChainNode> {
+    let (state, length, load) = (&exact.state, scene.beam().length(), scene.load());
+    let mut found: Vec<(f64, What, f64)> = Vec::new();
+    for support in state.supports.iter().filter(|support| !has_lifted(support)) {
+        let what = if support.moment.is_some() { What::BuiltIn } else { What::Support };
+        found.push((support.at, what, support.force));
+    }
+    found.extend([0.0, length].map(|end| (end, What::End, 0.0)));
+    found.extend(state.contacts.iter().flat_map(|c| [c.from, c.to]).map(|x| (x, What::ZoneEnd, 0.0)));
+    found.extend(load.point().iter().map(|p| (p.at, What::Load, 0.0)));
+    found.extend(load.linear().iter().flat_map(|q| [q.from, q.to]).map(|x| (x, What::Load, 0.0)));
+    let is_pressed = |x: f64| state.contacts.iter().any(|contact| contact.from < x && x < contact.to);
+    for profile in scene.foundation().into_iter().chain(scene.beam().shape()) {
+        let Foundation::Polyline { points } = profile else { continue };
+        found.extend(points.iter().map(|p| p[0]).filter(|x| is_pressed(*x)).map(|x| (x, What::Corner, 0.0)));
+    }
+    // Stable: of several at one place the first says what it is.
+    found.sort_by(|a, b| a.0.total_cmp(&b.0));
+    found.dedup_by(|next, kept| {
+        let same = (next.0 - kept.0).abs() <= SAME * length;
+        if same && kept.1 != What::BuiltIn && matches!(next.1, What::Support | What::BuiltIn) {
+            *kept = *next;
+        }
+        same
+    });
+    let decay = (0.25 * stiffness / scene.beam().bending_stiffness()).sqrt().sqrt();
+    let mut all: Vec<(f64, What, f64)> = Vec::new();
+    for pair in found.windows(2) {
+        let [from, to] = [pair[0].0, pair[1].0];
+        let parts = if is_pressed(0.5 * (from + to)) { ((to - from) * decay).ceil().max(1.0) } else { 1.0 };
+        let inside = (1_u32..).map(f64::from).take_while(|k| *k < parts);
+        all.push(pair[0]);
+        all.extend(inside.map(|k| (from + (to - from) * (k / parts), What::Between, 0.0)));
+    }
+    all.extend(found.last());
+    let node = |(x, what, force): (f64, What, f64)| {
+        let here = load.point().iter().filter(|load| (load.at - x).abs() <= SAME * length);
+        ChainNode {
+            what,
+            x,
+            deflection: exact.deflection(x),
+            slope: (what == What::BuiltIn).then(|| exact.slope(x)),
+            moments: exact.moments(x),
+            load: here.map(|load| load.force).sum(),
+            force,
+        }
+    };
+    all.into_iter().map(node).collect()
+}
