@@ -80,8 +80,8 @@ struct Fineness {
 }
 
 impl Fineness {
-    /// Of the first mesh and of the second, of which the first is coarser by far: nearly all that they differ by is its error. *Tuned* on the families, so
-    /// that they differ by some 1e-5, or by 1e-4 beside a support whose ground holds the slope, and all cases take half a minute.
+    /// Of the first mesh and of the second, of which the first is coarser by far: nearly all that they differ by is its error. *Tuned* on
+    /// the families, so that they differ by some 1e-5, or by 1e-4 beside a support whose ground holds the slope, in acceptable time.
     fn of_both(problem: &Problem<'_>) -> [Self; 2] {
         let soil = problem.soil;
         // Lengths of an element over that on which a beam on soil decays, (4EI/k)^¼.
@@ -135,8 +135,8 @@ pub fn reference(case: &Case) -> Found {
     Found::Answer(Box::new(Reference { places, estimate, numbers }))
 }
 
-/// A node in a short zone of contact with rigid ground has a moment that the true beam has not, in both meshes. A share of the largest moment, *tuned* on
-/// the pipes on rock, where 8e-3 was found.
+/// A node in a short zone of contact with rigid ground has a moment that the true beam has not, in both meshes. A share of the largest
+/// moment, *tuned* on the pipes on rock, where 8e-3 was found.
 const SHORT_ZONES: f64 = 1e-2;
 
 /// Whether a mesh settles wherever it is cut.
