@@ -8,6 +8,7 @@ mod certificate;
 mod command_line;
 mod methods;
 mod paper;
+mod proof;
 mod repository;
 mod robustness;
 mod scene_pages;

@@ -8,6 +8,7 @@ mod forces;
 mod hostile;
 mod json;
 mod output;
+mod proof;
 mod refinement;
 mod scene_file;
 mod shown;

@@ -281,7 +281,8 @@ fn keys(profile: &Foundation) -> String {
 fn support(support: &Support) -> String {
     let [at, level] = [support.at, support.level].map(number);
     let slope = support.slope.map_or_else(String::new, |slope| format!(", built_in = true, slope = {}", number(slope)));
-    format!("{{ at = {at}, level = {level}{slope} }}")
+    let pushes = if support.pushes_only { ", pushes_only = true" } else { "" };
+    format!("{{ at = {at}, level = {level}{slope}{pushes} }}")
 }
 
 /// A number as TOML has it; reading it back gives the same bits.
