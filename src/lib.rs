@@ -41,6 +41,7 @@
 //! | bound the error of contact forces from elsewhere | [`certificate::certify`], [`verdict::Verdict::of_forces`] |
 //! | solve any elastic body, and bound the error of any answer for it | [`body::Body`], [`body::proof::prove`] |
 //! | draw | `plot::curves`, with the feature `plot` |
+//! | prove an answer to anybody | `proof::prove`, with the feature `proof` |
 //!
 //! # Features
 //!
@@ -50,6 +51,7 @@
 //! | `clarabel` | the interior-point solver |
 //! | `osqp` | the operator-splitting solver, a library in C whose build asks for cmake |
 //! | `plot` | figures as SVG |
+//! | `proof` | proofs of answers in fractions |
 //! | `serde` | `Serialize` for answers |
 //! | `cli` | the program |
 //!
@@ -91,6 +93,8 @@ pub mod methods;
 mod multigrid;
 #[cfg(feature = "plot")]
 pub mod plot;
+#[cfg(feature = "proof")]
+pub mod proof;
 pub mod qp;
 pub mod route;
 pub mod scene;

@@ -78,6 +78,8 @@ use self::standing::Standing;
 use crate::scene::{Balance, Beam, Foundation, Scale, Scaled, Scene, SceneError, Support};
 use crate::state::{Contact, ContactState, Nodes};
 pub(crate) use kernel::contact_node::Slope;
+#[cfg(feature = "proof")]
+pub(crate) use witness::tridiagonal;
 
 /// Bounds for one deflection, proven from a witness: see [`Proof`].
 ///

@@ -259,7 +259,7 @@ fn changes(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Option<Vec<f6
 }
 
 /// Solves rows `[below, diagonal, above, right side]`.
-pub(super) fn tridiagonal(mut rows: Vec<[f64; 4]>) -> Option<Vec<f64>> {
+pub(crate) fn tridiagonal(mut rows: Vec<[f64; 4]>) -> Option<Vec<f64>> {
     for i in 1..rows.len() {
         let [_, pivot, above, right] = rows[i - 1];
         let factor = rows[i][0] / pivot;

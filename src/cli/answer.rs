@@ -3,6 +3,7 @@
 use std::time::Instant;
 
 use palkki::adaptive::{End, Request, Search, Trial, most_intervals};
+use palkki::proof;
 use palkki::route::Status;
 use palkki::state::Nodes;
 use palkki::theory::{self, TheoryError};
@@ -151,6 +152,15 @@ impl Answer {
     /// Whether it passed our own check.
     pub(super) fn is_certified(&self) -> bool {
         self.solution.verdict.status == Status::Certified
+    }
+
+    /// The proof of the exact answer: for an answer on a grid it is the one that its bounds rest on.
+    pub(super) fn proof(&self, input: &Input) -> Result<proof::Fields, Failure> {
+        let proven = match &self.solution.exact {
+            Some(exact) => proof::prove(&input.scene, exact),
+            None => proof::prove(&input.scene, &theory::solve(&input.scene)?),
+        };
+        Ok(proven?)
     }
 
     /// The values at the nodes of a grid.

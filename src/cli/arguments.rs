@@ -223,6 +223,10 @@ pub(super) struct Solve {
     /// Draw beam, foundation, contact forces, moment and shear into this file, or `-` as above
     #[arg(long, value_name = "FILE.svg")]
     pub(super) plot: Option<PathBuf>,
+    /// Write a proof to this file, or `-` as above: a deflection and a moment field in fractions, as JSON. Anybody can check that the
+    /// energy of the beam lies between theirs, with the 250 lines of report/check.rs or a checker of their own
+    #[arg(long, value_name = "FILE")]
+    pub(super) proof: Option<PathBuf>,
 }
 
 fn solver_help() -> String {

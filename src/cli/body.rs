@@ -109,12 +109,13 @@ pub(super) fn solve<'a>(input: &Input<Body>, arguments: &'a Solve) -> Result<Out
         route: &'a Route,
         nodes: Option<Value>,
     }
-    let Solve { common, csv, plot, nodes, solver, tolerance, .. } = arguments;
+    let Solve { common, csv, plot, proof, nodes, solver, tolerance, .. } = arguments;
     let of_beams = [
         ("intervals", arguments.intervals.is_some()),
         ("derivatives", arguments.derivatives),
         ("depth-tolerance", arguments.depth_tolerance.is_some()),
         ("plot", plot.is_some()),
+        ("proof", proof.is_some()),
     ];
     if let Some((option, _)) = of_beams.iter().find(|(_, asked)| *asked) {
         return Err(Failure::refused("solve", format!("--{option} belongs to a beam; a [body] has no use for it")));

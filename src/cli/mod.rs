@@ -149,20 +149,22 @@ impl Common {
 }
 
 fn solve(arguments: &Solve) -> Result<u8, Failure> {
-    let Solve { common, csv, plot, nodes, .. } = arguments;
+    let Solve { common, csv, plot, proof, nodes, .. } = arguments;
     let what = format!("solving {}", input::called(&common.scene.path));
     let on_beam = |input: &Input| {
         let answer = Answer::of(input, arguments.route()?)?;
         let local = Local::of(&input.scene, &answer, arguments);
         let csv = csv.as_ref().map(|path| (path, csv::table(&input.scene, &answer)));
         let plot = plot.as_ref().map(|path| Ok::<_, Failure>((path, figure(input, &answer)?))).transpose()?;
+        let proof = proof.as_ref().map(|path| Ok::<_, Failure>((path, answer.proof(input)?.json()))).transpose()?;
         let text = common.shown(
             || text::solve(input, &answer, *nodes) + &local.text(input),
             || json::solve(input, &answer, *nodes, &local),
         );
-        Ok(Outcome { text, files: vec![csv, plot], is_certified: answer.is_certified() })
+        Ok(Outcome { text, files: vec![csv, plot, proof], is_certified: answer.is_certified() })
     };
-    run_on_scene(&common.scene, common.format, what, &[csv, plot], on_beam, |input| body::solve(input, arguments))
+    let places = [csv, plot, proof];
+    run_on_scene(&common.scene, common.format, what, &places, on_beam, |input| body::solve(input, arguments))
 }
 
 /// The figure of `--plot`.

@@ -39,6 +39,9 @@ pub(super) enum Failure {
     /// The figure could not be drawn.
     #[error("cannot draw this answer: {0}")]
     Plot(#[from] palkki::plot::PlotError),
+    /// There is no proof of the answer in fractions.
+    #[error("no proof of this answer: {0}")]
+    Unproven(#[from] palkki::proof::Unproven),
     /// A place to which no file can be written.
     #[error("cannot write {path:?}: {problem}")]
     NoPlace {

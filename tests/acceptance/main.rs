@@ -9,6 +9,7 @@ mod command_line;
 mod methods;
 mod paper;
 mod practice;
+mod proof;
 mod repository;
 mod robustness;
 mod scene_pages;

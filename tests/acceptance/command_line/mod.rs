@@ -11,6 +11,7 @@ mod hostile;
 mod json;
 mod layouts;
 mod output;
+mod proof;
 mod refinement;
 mod scene_file;
 mod shown;

@@ -9,13 +9,14 @@ use super::text::{files, none, root};
 const MOST_OF_CORE: usize = 40;
 
 /// What the core is free of: other languages, and what only features need.
-const FOREIGN: [&str; 11] = [
+const FOREIGN: [&str; 12] = [
     "annotate-snippets",
     "bindgen",
     "cc",
     "clap",
     "clarabel",
     "cmake",
+    "dashu-ratio",
     "osqp",
     "osqp-sys",
     "plotters",

@@ -17,6 +17,7 @@ mod paper;
 mod play;
 mod population;
 mod problem;
+mod proven;
 mod provenance;
 mod referee;
 mod scale;
@@ -69,6 +70,7 @@ const SUBJECTS: &[Subject] = &[
     ("problem", problem::sketch),
     ("methods", problem::methods),
     ("paper", in_one_file::evidence),
+    ("proof", proven::evidence),
     ("theory", closed::evidence),
     ("play", play::evidence),
     ("solvers", problem::solvers),

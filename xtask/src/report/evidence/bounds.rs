@@ -10,7 +10,7 @@ use palkki::plot::{Axis, Layer, Panel, Style};
 use palkki::qp::{Explicit, Profile};
 use palkki::state::Nodes;
 use palkki::verdict::{USABLE, Verdict};
-use palkki_evidence::authority::pair::RANDOM;
+use palkki_evidence::authority::RANDOM;
 use palkki_evidence::faults::Truth;
 use palkki_evidence::paper;
 

@@ -16,7 +16,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
 }
 
 /// Documentation that begins a line is prose; what is between are blocks of code.
-fn page(source: &str) -> String {
+pub(super) fn page(source: &str) -> String {
     let mut page = String::new();
     let mut code = String::new();
     for line in source.lines().filter(|line| !line.starts_with("#![")) {

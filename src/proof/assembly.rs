@@ -1,0 +1,358 @@
+//! From nodes to cells: the beam in its spans, on rigid ground and in ground that gives, with moments that are in equilibrium.
+
+#![expect(clippy::float_cmp, reason = "a place is the same number wherever it is given")]
+
+use dashu_ratio::RBig;
+
+use super::contact_nodes::{HoldingNode, Part};
+use super::given::Given;
+use super::polynomial::{
+    Polynomial, at, between, derivative, exactly, is_nowhere_negative, jet, magnitude, plus, product, shifted, short,
+};
+use super::span::{Curve, bends, width};
+use super::{Cell, Fields, Unproven};
+
+/// What `size` is lifted by, from the share of rounding to some times itself, in powers of two: coarse steps first.
+const LIFTS: std::ops::RangeInclusive<i32> = -56..=4;
+/// Coarse steps of these powers.
+const STEP: i32 = 4;
+
+fn second(p: &[RBig]) -> Polynomial {
+    derivative(&derivative(p))
+}
+
+/// The least of a few amounts of `size` that is enough; none if none is.
+fn least_lift(size: &RBig, is_enough: impl Fn(&RBig) -> bool) -> Option<RBig> {
+    let by = |power: i32| short(size) * exactly(libm::exp2(f64::from(power)));
+    let enough = LIFTS.step_by(4).find(|power| is_enough(&by(*power)))?;
+    (enough - STEP + 1..=enough).map(by).find(is_enough)
+}
+
+/// A cell, of a part without a break that is known in 64 bits.
+fn cell(ends: [f64; 2], deflection: Polynomial, moment: Polynomial, pressed: bool) -> Cell {
+    Cell { ends: ends.map(exactly), deflection, moment, pressed }
+}
+
+/// Nodes with all that is known of spans and moments.
+struct Assembly<'a> {
+    given: &'a Given,
+    nodes: &'a [HoldingNode],
+    spans: Vec<Option<Curve>>,
+    moments: Vec<[RBig; 2]>,
+}
+
+impl Given {
+    /// The fields of nodes with their slopes.
+    ///
+    /// # Errors
+    ///
+    /// What is not admissible, as [`Unproven`] has it.
+    pub(super) fn assembled(&self, nodes: &[HoldingNode]) -> Result<Fields, Unproven> {
+        let spans = (0..=nodes.len()).map(|i| self.hanging(nodes, i)).collect::<Result<Vec<_>, _>>()?;
+        let mut assembly = Assembly { given: self, nodes, spans, moments: Vec::new() };
+        assembly.moments = (0..nodes.len()).map(|i| assembly.moments_at(i)).collect::<Result<_, _>>()?;
+        let (mut cells, mut is_lifted) = (Vec::new(), false);
+        for i in 0..=nodes.len() {
+            if assembly.spans[i].is_some() {
+                let (lifted, lift) = assembly.lifted(i, assembly.hanging_cells(i))?;
+                is_lifted |= lift;
+                cells.extend(lifted);
+            } else if 0 < i && i < nodes.len() {
+                cells.extend(match &nodes[i - 1].right {
+                    Part::Pressed(sunk) => vec![assembly.pressed(i, sunk)?],
+                    _ => assembly.zone(i)?,
+                });
+            }
+        }
+        Ok(Fields { cells: self.in_equilibrium(cells)?, is_lifted })
+    }
+
+    /// The cells, if forces and couples between them are such as ground and supports exert. Where ground begins at a support in the
+    /// direction of the beam it exerts a couple with it: a force that is far nearer than rounding.
+    fn in_equilibrium(&self, mut cells: Vec<Cell>) -> Result<Vec<Cell>, Unproven> {
+        let mut coupled = Vec::new();
+        for k in 0..=cells.len() {
+            let [left, right] = [k.checked_sub(1).map(|k| &cells[k]), cells.get(k)];
+            let x = left.map_or(0.0, |cell| cell.ends[1].to_f64().value());
+            let before = left.map(|cell| (cell, &cell.ends[1] - &cell.ends[0]));
+            let jets = |of: fn(&Cell) -> &Polynomial| {
+                [before.as_ref().map(|(cell, l)| jet(of(cell), l)), right.map(|cell| jet(of(cell), &RBig::ZERO))]
+            };
+            if let [Some(v), Some(w)] = jets(|cell| &cell.deflection)
+                && v != w
+            {
+                return Err(Unproven::Kink { at: x });
+            }
+            let [m, n] = jets(|cell| &cell.moment).map(|m| m.unwrap_or([RBig::ZERO, RBig::ZERO]));
+            let [load, turn] = self.acting(x);
+            let (force, couple) = (&n[1] - &m[1] + load, &n[0] - &m[0] - turn);
+            let support = self.support(x);
+            let is_held = support.is_some_and(|s| !s.pushes_only);
+            if !is_held && (force < RBig::ZERO || !force.is_zero() && self.depth(x).is_none()) {
+                return Err(Unproven::Tension { at: x });
+            }
+            if !couple.is_zero() && support.is_none_or(|s| s.slope.is_none()) {
+                let on_left = RBig::ZERO < couple;
+                let Some(below) = support
+                    .filter(|support| support.tangent[usize::from(!on_left)])
+                    .and_then(|support| Some(&self.side(x, on_left)?[0] - &support.level))
+                else {
+                    return Err(Unproven::Couple { at: x });
+                };
+                coupled.push((k, couple, below));
+            }
+        }
+        for (k, couple, below) in coupled.into_iter().rev() {
+            let i = if RBig::ZERO < couple { k - 1 } else { k };
+            let arm = self.arm(&cells[i], &couple, &below);
+            let parts = beside(&cells[i], couple, &arm);
+            cells.splice(i..=i, parts);
+        }
+        Ok(cells)
+    }
+
+    /// How far from a support the force is that makes a couple `T` with it. The duality gap has `T²a/2EI` of the moment over the arm `a`,
+    /// and `T/a` times what the ground is below the support by rounding.
+    fn arm(&self, cell: &Cell, couple: &RBig, below: &RBig) -> RBig {
+        /// Of the cell: far less than rounding.
+        const LEAST: f64 = f64::EPSILON * f64::EPSILON;
+        let width = &cell.ends[1] - &cell.ends[0];
+        let best = libm::sqrt((RBig::from(2) * below * &self.stiffness / magnitude(couple)).to_f64().value());
+        exactly(best).max(&width * exactly(LEAST)).min(width / RBig::from(2))
+    }
+}
+
+/// A cell in two, with a moment that goes over to that behind the support at its end: at its right end for a positive couple.
+fn beside(cell: &Cell, couple: RBig, arm: &RBig) -> [Cell; 2] {
+    let [from, to] = &cell.ends;
+    let (at_end, rise) = (RBig::ZERO < couple, &couple / arm);
+    let place = if at_end { to - arm } else { from + arm };
+    let step = if at_end { vec![RBig::ZERO, rise] } else { vec![-couple, rise] };
+    let [first, second] = [[from, &place], [&place, to]].map(|[a, b]| Cell {
+        ends: [a.clone(), b.clone()],
+        deflection: shifted(&cell.deflection, &(a - from)),
+        moment: shifted(&cell.moment, &(a - from)),
+        pressed: cell.pressed,
+    });
+    let turned = |part: Cell| Cell { moment: plus(&part.moment, &RBig::ONE, &step), ..part };
+    if at_end { [first, turned(second)] } else { [turned(first), second] }
+}
+
+impl Assembly<'_> {
+    /// `M` on both sides of node `i`, of what is beside it.
+    fn moments_at(&self, i: usize) -> Result<[RBig; 2], Unproven> {
+        let (node, given) = (&self.nodes[i], self.given);
+        let x = node.x;
+        let outside = [i == 0, i + 1 == self.nodes.len()];
+        let support = given.support(x);
+        let built_in = support.is_some_and(|s| s.slope.is_some());
+        let mut own = node.pressed.as_ref().map_or([RBig::ZERO, RBig::ZERO], |end| end.moment.clone());
+        for side in [0, 1] {
+            let bend = match &self.spans[i + side] {
+                Some(span) => bends(span)[1 - side].clone(),
+                None if outside[side] || node.pressed.is_some() => continue,
+                None => at(&second(&given.about(x, side == 0).ok_or(Unproven::Place { at: x })?), &RBig::ZERO),
+            };
+            own[side] = -&given.stiffness * bend;
+        }
+        if built_in || support.is_some() && node.along.is_some() {
+            return Ok(own);
+        }
+        let is_given = [0, 1].map(|side| outside[side] || self.spans[i + side].is_none());
+        let hangs_over = [0, 1].map(|side| outside[side] && self.spans[i + side].is_some());
+        let one = match (hangs_over, is_given) {
+            ([true, _], _) | ([false, false], [true, false]) => own[0].clone(),
+            ([_, true], _) | (_, [false, true]) => own[1].clone(),
+            (_, [true, true]) => return Ok(own),
+            _ => short(&((&own[0] + &own[1]) / RBig::from(2))),
+        };
+        Ok([one.clone(), one])
+    }
+
+    /// The cells of span `i`, in which `EI v'' + M` is linear.
+    fn hanging_cells(&self, i: usize) -> Vec<Cell> {
+        let Some(span) = &self.spans[i] else { return Vec::new() };
+        let stiffness = &self.given.stiffness;
+        let side =
+            |i: Option<usize>, side: usize| i.and_then(|i| self.moments.get(i)).map_or(RBig::ZERO, |m| m[side].clone());
+        let [start, end] = bends(span);
+        let misfit = [stiffness * start + side(i.checked_sub(1), 1), stiffness * end + side(Some(i), 0)];
+        let ends = [span[0].0[0], span[span.len() - 1].0[1]];
+        let slope = (&misfit[1] - &misfit[0]) / width(ends);
+        let of = |(part, v): &([f64; 2], Polynomial)| {
+            let from = &misfit[0] + &slope * width([ends[0], part[0]]);
+            cell(*part, v.clone(), plus(&[from, slope.clone()], &-stiffness, &second(v)), false)
+        };
+        span.iter().map(of).collect()
+    }
+
+    /// A span less `α s^a (L − s)^b`, with the least `α` of some sizes that puts it above the ground.
+    fn lifted(&self, i: usize, cells: Vec<Cell>) -> Result<(Vec<Cell>, bool), Unproven> {
+        let Some(span) = &self.spans[i] else { return Ok((cells, false)) };
+        let given = self.given;
+        let is_clear =
+            |cells: &[Cell]| span.iter().zip(cells).all(|((part, _), c)| given.is_clear(*part, &c.deflection));
+        if is_clear(&cells) {
+            return Ok((cells, false));
+        }
+        let ends = [span[0].0[0], span[span.len() - 1].0[1]];
+        let power = |node: Option<&HoldingNode>| {
+            let Some(node) = node else { return 0 };
+            let at_end = node.x <= 0.0 || given.length <= node.x;
+            let turns = node.along.is_none()
+                && node.pressed.is_none()
+                && given.support(node.x).is_none_or(|s| s.slope.is_none());
+            if at_end && turns { 1 } else { 2 }
+        };
+        let powers = [power(i.checked_sub(1).and_then(|i| self.nodes.get(i))), power(self.nodes.get(i))];
+        let l = width(ends);
+        let shape = |part: [f64; 2]| {
+            let offset = width([ends[0], part[0]]);
+            let lines = [[offset.clone(), RBig::ONE], [&l - offset, -RBig::ONE]];
+            let factors = powers.iter().zip(&lines).flat_map(|(power, line)| (0..*power).map(move |_| line));
+            factors.fold(vec![RBig::ONE], |product_so_far, line| product(&product_so_far, line))
+        };
+        let sizes = span.iter().flat_map(|(part, v)| [jet(v, &RBig::ZERO), jet(v, &width(*part))]);
+        let size = sizes.map(|[v, slope]| magnitude(&v) + magnitude(&slope) * &l).max().unwrap_or(RBig::ZERO);
+        let size = (0..powers[0] + powers[1]).fold(size, |size, _| size / &l);
+        let lifted = |by: &RBig| -> Vec<Cell> {
+            let less = |((part, _), c): (&([f64; 2], Polynomial), &Cell)| Cell {
+                deflection: plus(&c.deflection, &-by, &shape(*part)),
+                ..c.clone()
+            };
+            span.iter().zip(&cells).map(less).collect()
+        };
+        let least = least_lift(&size, |by| is_clear(&lifted(by))).map(|by| lifted(&by));
+        let lifted = least.or_else(|| self.touching(span, &cells)).ok_or(Unproven::InGround { ends })?;
+        Ok((lifted, true))
+    }
+
+    /// On ground that gives, a span whose ends may be below the surface by rounding: there they count as pressed, without a pressure.
+    fn touching(&self, span: &Curve, cells: &[Cell]) -> Option<Vec<Cell>> {
+        /// Of the first and the last part of a span, in powers of two: from the shortest that a place of 64 bits can tell.
+        const SHARES: [i32; 4] = [-40, -30, -20, -12];
+        let given = self.given;
+        given.springs.as_ref()?;
+        let last = span.len() - 1;
+        SHARES.into_iter().find_map(|share| {
+            let inner = |i: usize| {
+                let [from, to] = span[i].0;
+                let by = (to - from) * libm::exp2(f64::from(share));
+                [if i == 0 { from + by } else { from }, if i == last { to - by } else { to }]
+            };
+            let mut parts = Vec::new();
+            for (i, (cell, (part, _))) in cells.iter().zip(span).enumerate() {
+                let inner = inner(i);
+                for ends in
+                    [[part[0], inner[0]], inner, [inner[1], part[1]]].into_iter().filter(|ends| ends[0] < ends[1])
+                {
+                    let by = width([part[0], ends[0]]);
+                    let [deflection, moment] = [&cell.deflection, &cell.moment].map(|p| shifted(p, &by));
+                    if ends == inner && !given.is_clear(ends, &deflection) {
+                        return None;
+                    }
+                    parts.push(Cell { ends: ends.map(exactly), deflection, moment, pressed: ends != inner });
+                }
+            }
+            Some(parts)
+        })
+    }
+
+    /// The cells of the zone on the left of node `i`: `v = g`, but for a rounding by which a support is above the ground.
+    fn zone(&self, i: usize) -> Result<Vec<Cell>, Unproven> {
+        let (given, nodes) = (self.given, &self.nodes[i - 1..=i]);
+        let parts = given.parts([nodes[0].x, nodes[1].x], false);
+        let mut cells = Vec::new();
+        for part in &parts {
+            let (gap, l) = (given.gap(*part).ok_or(Unproven::Place { at: part[0] })?, width(*part));
+            let own: Polynomial = second(&gap).iter().map(|c| -&given.stiffness * c).collect();
+            let [mut above, mut more] = [(); 2].map(|()| [(); 2].map(|()| [RBig::ZERO, RBig::ZERO]));
+            for (side, node) in nodes.iter().enumerate().filter(|(side, node)| node.x == part[*side]) {
+                let place = if side == 0 { RBig::ZERO } else { l.clone() };
+                let ([v, slope], [g, turn]) = (given.end(node)?, jet(&gap, &place));
+                above[side] = [v - g, slope - turn];
+                more[side][0] = &self.moments[i - 1 + side][1 - side] - at(&own, &place);
+            }
+            let with = |p: Polynomial, ends: &[[RBig; 2]; 2]| match ends.iter().flatten().all(RBig::is_zero) {
+                true => p,
+                false => plus(&p, &RBig::ONE, &between([&ends[0], &ends[1]], &[], &l)),
+            };
+            let (v, moment) = (with(gap, &above), with(own, &more));
+            if !given.is_clear(*part, &v) {
+                return Err(Unproven::InGround { ends: *part });
+            }
+            if !self.presses(*part, &moment) {
+                return Err(Unproven::Tension { at: part[0] });
+            }
+            cells.push(cell(*part, v, moment, true));
+        }
+        Ok(cells)
+    }
+
+    /// Whether `p = M'' + q ≥ 0` on a part.
+    fn presses(&self, part: [f64; 2], moment: &[RBig]) -> bool {
+        let pressure = plus(&second(moment), &RBig::ONE, &self.given.load(part));
+        is_nowhere_negative(&pressure, &width(part))
+    }
+
+    /// `M'` at node `i` of a part that is pressed into ground that gives, on the right of the node or on its left.
+    fn shear(&self, i: usize, on_right: bool) -> RBig {
+        let (node, load) = (&self.nodes[i], self.given.point_load(self.nodes[i].x));
+        let own = |side: usize| node.pressed.as_ref().map_or(RBig::ZERO, |end| end.shear[side].clone());
+        if self.given.support(node.x).is_some() {
+            return own(usize::from(on_right));
+        }
+        // Nothing takes a force: on the right there is that of the left less the load.
+        let less = |left: RBig| left - &load;
+        let is_end = [node.x <= 0.0, self.given.length <= node.x];
+        match (on_right, is_end) {
+            (true, [true, _]) => less(RBig::ZERO),
+            (false, [_, true]) => load.clone(),
+            (true, _) if self.spans[i].is_some() => {
+                let cells = self.hanging_cells(i);
+                cells.last().map_or(RBig::ZERO, |c| less(jet(&c.moment, &(&c.ends[1] - &c.ends[0]))[1].clone()))
+            }
+            (false, _) if self.spans[i + 1].is_some() => {
+                self.hanging_cells(i + 1).first().map_or(RBig::ZERO, |c| jet(&c.moment, &RBig::ZERO)[1].clone() + &load)
+            }
+            (true, _) => less(own(0)),
+            (false, _) => own(0),
+        }
+    }
+
+    /// The cell on the left of node `i`, pressed into ground that gives by about a polynomial. A little less moment in its middle makes
+    /// a pressure that rounding has below zero at an end of it positive.
+    fn pressed(&self, i: usize, sunk: &[RBig]) -> Result<Cell, Unproven> {
+        let (given, [a, b]) = (self.given, [&self.nodes[i - 1], &self.nodes[i]]);
+        let part = [a.x, b.x];
+        let (gap, l) = (given.gap(part).ok_or(Unproven::Place { at: a.x })?, width(part));
+        let k = given.springs.clone().unwrap_or(RBig::ZERO);
+        let ends = [given.end(a)?, given.end(b)?];
+        let below = [0, 1].map(|side| {
+            let [g, turn] = jet(&gap, &if side == 0 { RBig::ZERO } else { l.clone() });
+            [&ends[side][0] - g, &ends[side][1] - turn]
+        });
+        let tail = sunk.get(4..).unwrap_or_default();
+        let deflection = plus(&gap, &RBig::ONE, &between([&below[0], &below[1]], tail, &l));
+        // M'' = k (v − g) − q, from its fourth coefficient on.
+        let load = given.load(part);
+        let curved = (4..).zip(sunk.iter().skip(2)).map(|(j, c)| {
+            let less = load.get(j - 2).cloned().unwrap_or(RBig::ZERO);
+            short(&((&k * c - less) / RBig::from(j * (j - 1))))
+        });
+        let [m, n] =
+            [[&self.moments[i - 1][1], &self.shear(i - 1, true)], [&self.moments[i][0], &self.shear(i, false)]]
+                .map(|[m, shear]| [m.clone(), shear.clone()]);
+        let moment = between([&m, &n], &curved.collect::<Vec<_>>(), &l);
+        if self.presses(part, &moment) {
+            return Ok(cell(part, deflection, moment, true));
+        }
+        let lines = [[RBig::ZERO, RBig::ONE], [l.clone(), -RBig::ONE]];
+        let bubble = lines.iter().fold(vec![RBig::ONE], |p, line| product(&product(&p, line), line));
+        let size = [jet(sunk, &RBig::ZERO), jet(sunk, &l)].map(|[w, turn]| magnitude(&w) + magnitude(&turn) * &l);
+        let size = size.into_iter().max().unwrap_or(RBig::ZERO) * &k / (&l * &l);
+        let raised = |by: &RBig| plus(&moment, by, &bubble);
+        let by = least_lift(&size, |by| self.presses(part, &raised(by))).ok_or(Unproven::Tension { at: a.x })?;
+        Ok(cell(part, deflection, raised(&by), true))
+    }
+}

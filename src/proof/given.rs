@@ -1,0 +1,236 @@
+//! A scene in fractions: what supports, ground and loads are along the beam.
+
+#![expect(clippy::float_cmp, reason = "a place is the same number wherever it is given")]
+
+use dashu_ratio::RBig;
+
+use super::Unproven;
+use super::polynomial::{Polynomial, exactly, is_nowhere_negative, jet, plus, shifted};
+use crate::scene::{Foundation, Profile as Of, Scene};
+
+/// Polynomials in `x`, each with the part of the beam that it is for.
+type Profile = Vec<([f64; 2], Polynomial)>;
+
+/// What is given of a beam. A place is a 64-bit number; all polynomials that are asked for count from the left end of their part.
+#[derive(Debug)]
+pub(super) struct Given {
+    pub(super) length: f64,
+    pub(super) stiffness: RBig,
+    /// `k` of ground that gives.
+    pub(super) springs: Option<RBig>,
+    loads: Profile,
+    /// Point loads and couples.
+    acting: Vec<(f64, [RBig; 2])>,
+    ground: Profile,
+    shape: Profile,
+    /// Single places that the beam may not be below: supports that only push, and the edge of a step at an end of the beam.
+    alone: Vec<(f64, RBig)>,
+    pub(super) supports: Vec<Support>,
+    /// All places at which a formula may change, from left to right; and those of them that are of loads.
+    breaks: Vec<f64>,
+    load_breaks: Vec<f64>,
+}
+
+/// What a support asks.
+#[derive(Debug)]
+pub(super) struct Support {
+    pub(super) x: f64,
+    pub(super) level: RBig,
+    pub(super) slope: Option<RBig>,
+    /// Whether the ground on its left and on its right begins at its level, and in its direction.
+    pub(super) tangent: [bool; 2],
+    pub(super) pushes_only: bool,
+}
+
+/// The straight line between two points.
+fn line(a: [f64; 2], b: [f64; 2]) -> ([f64; 2], Polynomial) {
+    let ([x, u], [y, w]) = (a.map(exactly), b.map(exactly));
+    let slope = (w - &u) / (y - &x);
+    ([a[0], b[0]], vec![u - &slope * x, slope])
+}
+
+fn profile(of: Of, given: &Foundation, l: f64) -> Result<Profile, Unproven> {
+    Ok(match given {
+        Foundation::Flat { depth } => vec![([0.0, l], vec![exactly(*depth)])],
+        Foundation::Polynomial { coefficients } => {
+            vec![([0.0, l], coefficients.iter().map(|c| exactly(*c)).collect())]
+        }
+        Foundation::Polyline { points } => {
+            points.windows(2).filter(|p| p[0][0] < p[1][0]).map(|p| line(p[0], p[1])).collect()
+        }
+        Foundation::Cosine { .. } => return Err(Unproven::Cosine { of }),
+    })
+}
+
+/// The polynomial on a part.
+fn on(profile: &Profile, ends: [f64; 2]) -> Option<&Polynomial> {
+    let part = profile.get(profile.partition_point(|(part, _)| part[1] < ends[1]))?;
+    (part.0[0] <= ends[0]).then_some(&part.1)
+}
+
+fn sorted(places: impl Iterator<Item = f64>, l: f64) -> Vec<f64> {
+    let mut places: Vec<f64> = places.filter(|x| (0.0..=l).contains(x)).collect();
+    places.sort_by(f64::total_cmp);
+    places.dedup();
+    places
+}
+
+impl Given {
+    /// The beam of a scene, of whose supports that only push those `press`.
+    ///
+    /// # Errors
+    ///
+    /// [`Unproven::Cosine`], and [`Unproven::AboveSupport`] where nothing is admissible without rounding.
+    pub(super) fn of(scene: &Scene, press: &[f64]) -> Result<Self, Unproven> {
+        let (beam, load, l) = (scene.beam(), scene.load(), scene.beam().length());
+        if scene.ground_stiffness().is_some()
+            && let Some(acts) = load.concentrated().find(|acts| acts.couple != 0.0)
+        {
+            return Err(Unproven::OnSprings { at: acts.at });
+        }
+        let springs = scene.ground_stiffness().map(exactly);
+        let parts = load.linear().iter().filter(|q| q.from < q.to).map(|q| line([q.from, q.start], [q.to, q.end]));
+        let level = Foundation::Flat { depth: 0.0 };
+        let mut given = Self {
+            length: l,
+            stiffness: exactly(beam.bending_stiffness()),
+            loads: parts.chain([([0.0, l], vec![exactly(load.uniform())])]).collect(),
+            acting: load.concentrated().map(|acts| (acts.at, [acts.force, acts.couple].map(exactly))).collect(),
+            ground: scene.foundation().map_or(Ok(Vec::new()), |ground| profile(Of::Foundation, ground, l))?,
+            shape: profile(Of::Shape, beam.shape().unwrap_or(&level), l)?,
+            springs,
+            alone: Vec::new(),
+            supports: Vec::new(),
+            breaks: Vec::new(),
+            load_breaks: Vec::new(),
+        };
+        let ends = |profile: &Profile| profile.iter().flat_map(|(ends, _)| *ends).collect::<Vec<f64>>();
+        let loads = ends(&given.loads).into_iter().chain(given.acting.iter().map(|acts| acts.0));
+        given.load_breaks = sorted(loads, l);
+        let parts = [&given.ground, &given.shape].map(ends).concat().into_iter();
+        let single = beam.all_supports().into_iter().map(|s| s.at).chain(given.load_breaks.iter().copied());
+        given.breaks = sorted(parts.chain(single), l);
+        given.edges(scene);
+        given.stand(scene, press)?;
+        Ok(given)
+    }
+
+    /// The edges of steps at the ends of the beam, where there is no part of the beam on the other side.
+    fn edges(&mut self, scene: &Scene) {
+        let Some(Foundation::Polyline { points }) = scene.foundation().filter(|_| self.springs.is_none()) else {
+            return;
+        };
+        for x in [0.0, self.length] {
+            let depth = points.iter().filter(|point| point[0] == x).map(|point| exactly(point[1])).min();
+            if let Some(depth) = depth {
+                self.alone.push((x, depth - &self.own(x)[0]));
+            }
+        }
+    }
+
+    /// The supports.
+    fn stand(&mut self, scene: &Scene, press: &[f64]) -> Result<(), Unproven> {
+        let tangents = scene.held();
+        let all = scene.beam().all_supports();
+        for support in &all {
+            let [own, turn] = self.own(support.at);
+            let (level, pushes_only) = (exactly(support.level) - own, support.pushes_only);
+            if pushes_only {
+                self.alone.push((support.at, level.clone()));
+            }
+            if !pushes_only || press.contains(&support.at) {
+                if !pushes_only && self.springs.is_none() && self.depth(support.at).is_some_and(|g| g < level) {
+                    return Err(Unproven::AboveSupport { at: support.at });
+                }
+                let tangent = tangents.iter().find(|held| held.at == support.at).map_or([false; 2], |h| h.tangent);
+                let slope = support.slope.map(|slope| exactly(slope) - turn);
+                self.supports.push(Support { x: support.at, level, slope, tangent, pushes_only });
+            }
+        }
+        Ok(())
+    }
+
+    /// `w0` and `w0'` at a place.
+    fn own(&self, x: f64) -> [RBig; 2] {
+        on(&self.shape, self.beside(x, 0.0 < x)).map_or([RBig::ZERO, RBig::ZERO], |shape| jet(shape, &exactly(x)))
+    }
+
+    /// The ends of the part beside a place.
+    fn beside(&self, x: f64, left: bool) -> [f64; 2] {
+        let next = if left {
+            self.breaks.partition_point(|y| *y < x).checked_sub(1).and_then(|i| self.breaks.get(i))
+        } else {
+            self.breaks.get(self.breaks.partition_point(|y| *y <= x))
+        };
+        next.map_or([x, f64::INFINITY], |y| [x.min(*y), x.max(*y)])
+    }
+
+    /// `g` on a part without a break; none without ground.
+    pub(super) fn gap(&self, ends: [f64; 2]) -> Option<Polynomial> {
+        let gap = plus(on(&self.ground, ends)?, &-RBig::ONE, on(&self.shape, ends)?);
+        Some(shifted(&gap, &exactly(ends[0])))
+    }
+
+    /// `g` and its derivatives on one side of a place, as a polynomial about it.
+    pub(super) fn about(&self, x: f64, left: bool) -> Option<Polynomial> {
+        let ends = self.beside(x, left);
+        Some(shifted(&self.gap(ends)?, &(exactly(x) - exactly(ends[0]))))
+    }
+
+    /// `g` and `g'` on one side of a place.
+    pub(super) fn side(&self, x: f64, left: bool) -> Option<[RBig; 2]> {
+        Some(jet(&self.about(x, left)?, &RBig::ZERO))
+    }
+
+    /// `g(x)` of what does not give: at a step the smaller of the two, and that of a support that only pushes.
+    pub(super) fn depth(&self, x: f64) -> Option<RBig> {
+        let sides = [true, false].into_iter().filter(|_| self.springs.is_none());
+        let sides = sides.filter_map(|left| self.side(x, left)).map(|[g, _]| g);
+        sides.chain(self.alone.iter().filter(|s| s.0 == x).map(|s| s.1.clone())).min()
+    }
+
+    pub(super) fn support(&self, x: f64) -> Option<&Support> {
+        let support = self.supports.get(self.supports.partition_point(|s| s.x < x))?;
+        (support.x == x).then_some(support)
+    }
+
+    /// `q` on a part without a break of loads.
+    pub(super) fn load(&self, ends: [f64; 2]) -> Polynomial {
+        let acts = self.loads.iter().filter(|(part, _)| part[0] <= ends[0] && ends[1] <= part[1]);
+        shifted(&acts.fold(Vec::new(), |sum, (_, q)| plus(&sum, &RBig::ONE, q)), &exactly(ends[0]))
+    }
+
+    /// The point load and the couple at a place.
+    pub(super) fn acting(&self, x: f64) -> [RBig; 2] {
+        let here = self.acting.iter().filter(|acts| acts.0 == x);
+        here.fold([RBig::ZERO, RBig::ZERO], |[force, couple], (_, acts)| [force + &acts[0], couple + &acts[1]])
+    }
+
+    pub(super) fn point_load(&self, x: f64) -> RBig {
+        let [force, _] = self.acting(x);
+        force
+    }
+
+    /// What is between two places, in parts without a break; of loads only, if that is all that counts.
+    pub(super) fn parts(&self, [from, to]: [f64; 2], of_loads: bool) -> Vec<[f64; 2]> {
+        let breaks = if of_loads { &self.load_breaks } else { &self.breaks };
+        let inside = breaks.iter().copied().filter(|x| from < *x && *x < to);
+        let places: Vec<f64> = [from].into_iter().chain(inside).chain([to]).collect();
+        places.windows(2).map(|pair| [pair[0], pair[1]]).collect()
+    }
+
+    /// Whether `v ≤ g` on a part, `v` about its left end.
+    pub(super) fn is_clear(&self, ends: [f64; 2], v: &[RBig]) -> bool {
+        let from = exactly(ends[0]);
+        let below = |(x, level): &&(f64, RBig)| *level < jet(v, &(exactly(*x) - &from))[0];
+        if self.alone.iter().filter(|(x, _)| (ends[0]..=ends[1]).contains(x)).any(|alone| below(&alone)) {
+            return false;
+        }
+        self.parts(ends, false).into_iter().all(|part| {
+            let Some(gap) = self.gap(part) else { return true };
+            let [start, end] = part.map(exactly);
+            let clear = plus(&gap, &-RBig::ONE, &shifted(v, &(&start - &from)));
+            is_nowhere_negative(&clear, &(end - start))
+        })
+    }
+}

@@ -1,0 +1,150 @@
+//! Proofs with a fault: each is refused, or what it proves is still true.
+
+use std::collections::BTreeMap;
+
+use palkki::proof::{Cell, Fields, prove};
+use palkki::theory;
+use palkki_evidence::authority::RBig;
+use palkki_evidence::authority::check::{Scene, check};
+use palkki_evidence::random::{Random, sample_of};
+
+use super::{read, text};
+use crate::scenes::scene;
+
+/// How many are forged, over all proofs.
+const FORGED: usize = 10_000;
+
+/// Scenes of zones, points and steps, held in all ways, on rigid ground and on ground that gives.
+const SCENES: [&str; 10] = [
+    "heinisuo-1984",
+    "dish",
+    "ridge",
+    "step",
+    "mid-span",
+    "held/pipe-sleeper",
+    "held/two-spans",
+    "held/cantilever",
+    "held/table-edge",
+    "soft/bearings",
+];
+
+/// From 2⁻¹⁰⁰, which is 1e-30, to one.
+fn fault(random: &mut Random, of: &RBig) -> RBig {
+    let by = RBig::try_from(libm::exp2(-f64::from(u32::try_from(random.below(101)).unwrap_or(0)))).expect("finite");
+    let by = if random.once_in(2) { -by } else { by };
+    if of.is_zero() || random.once_in(2) { of + by } else { of * (RBig::ONE + by) }
+}
+
+/// A proof with a fault, and what it is called.
+fn forge(random: &mut Random, proof: &Fields) -> (&'static str, Fields) {
+    let mut forged = proof.clone();
+    let count = forged.cells.len();
+    let i = random.below(count);
+    let cell = &mut forged.cells[i];
+    let what = match random.below(9) {
+        0 => change(random, &mut cell.deflection, "deflection"),
+        1 => change(random, &mut cell.moment, "moment"),
+        2 => {
+            let side = random.below(2);
+            cell.ends[side] = fault(random, &cell.ends[side]);
+            "end"
+        }
+        3 if 1 < count => {
+            // A place that both cells agree on.
+            let i = i.min(count - 2);
+            let place = fault(random, &forged.cells[i].ends[1]);
+            (forged.cells[i].ends[1], forged.cells[i + 1].ends[0]) = (place.clone(), place);
+            "place"
+        }
+        4 => {
+            forged.cells.remove(i);
+            "left out"
+        }
+        5 => {
+            forged.cells.insert(i, forged.cells[i].clone());
+            "doubled"
+        }
+        6 if 1 < count => {
+            forged.cells.swap(i, (i + 1) % count);
+            "swapped"
+        }
+        // A force and a kink of 2⁻¹⁰⁰, at a place between cells.
+        7 => bent(&mut cell.moment, "pull"),
+        _ => bent(&mut cell.deflection, "kink"),
+    };
+    (what, forged)
+}
+
+fn change(random: &mut Random, p: &mut Vec<RBig>, what: &'static str) -> &'static str {
+    p.resize(p.len().max(2), RBig::ZERO);
+    let j = random.below(p.len());
+    p[j] = fault(random, &p[j]);
+    what
+}
+
+/// With a slope that is less by 2⁻¹⁰⁰.
+fn bent(p: &mut Vec<RBig>, what: &'static str) -> &'static str {
+    p.resize(p.len().max(2), RBig::ZERO);
+    p[1] = &p[1] - RBig::try_from(libm::exp2(-100.0)).expect("finite");
+    what
+}
+
+#[test]
+fn a_forged_proof_is_refused_or_still_true() {
+    let mut random = Random::new(0x000f_0496_ed00);
+    let proofs: Vec<(Scene, Fields, [RBig; 2])> = SCENES
+        .iter()
+        .map(|name| {
+            let scene = scene(name);
+            let proof = prove(&scene, &theory::solve(&scene).expect("an answer")).expect("a proof");
+            let read = read(&text(&scene));
+            let bracket = checked(&read, &proof).unwrap_or_else(|why| panic!("{name}: {why}"));
+            (read, proof, bracket)
+        })
+        .collect();
+    let mut found = BTreeMap::<&str, [usize; 2]>::new();
+    for k in 0..sample_of(FORGED) {
+        let (scene, proof, [low, up]) = &proofs[k % proofs.len()];
+        let (what, forged) = forge(&mut random, proof);
+        let counts = found.entry(what).or_default();
+        match checked(scene, &forged) {
+            Err(_) => counts[0] += 1,
+            Ok([least, most]) => {
+                assert!(least <= *up && *low <= most && least <= most, "{what} of {}: {least} {most}", SCENES[k % 10]);
+                counts[1] += 1;
+            }
+        }
+    }
+    assert_eq!(found.len(), 9, "{found:?}");
+    for (what, [refused, _]) in &found {
+        assert!(0 < *refused, "{what}: none is refused");
+    }
+    // A place that is passed over is no place: a proof with a cell less is none.
+    for what in ["left out", "doubled", "end"] {
+        assert!(100 * found[what][1] <= found[what][0], "{what}: {:?}", found[what]);
+    }
+}
+
+fn checked(scene: &Scene, proof: &Fields) -> Result<[RBig; 2], String> {
+    check(scene, &serde_json::from_str(&proof.json()).expect("JSON"))
+}
+
+/// A cell of no length, one that goes back, and one that is no part of the beam.
+#[test]
+fn cells_that_are_none_are_refused() {
+    let name = "heinisuo-1984";
+    let scene = scene(name);
+    let proof = prove(&scene, &theory::solve(&scene).expect("an answer")).expect("a proof");
+    let read = read(&text(&scene));
+    let with = |change: &dyn Fn(&mut Vec<Cell>)| {
+        let mut forged = proof.clone();
+        change(&mut forged.cells);
+        checked(&read, &forged)
+    };
+    assert!(with(&|_| {}).is_ok());
+    assert!(with(&|cells| cells.clear()).is_err());
+    assert!(with(&|cells| cells[0].ends[1] = RBig::ZERO).is_err());
+    assert!(with(&|cells| cells.reverse()).is_err());
+    let beyond = RBig::from(11);
+    assert!(with(&|cells| cells[2].ends[1] = beyond.clone()).is_err());
+}
