@@ -31,7 +31,8 @@ const DECISIONS: &[&str] = &[
     "Promised",
     "What follows",
     "When to stop",
-    "Which route for which case",
+    "What to use",
+    "Which method and solver for which problem",
 ];
 
 /// The words by which a sentence speaks of more than it shows.

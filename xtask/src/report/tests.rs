@@ -137,7 +137,8 @@ fn every_claim_has_its_sentence_in_the_paper() {
         let title = section.lines().next().unwrap_or_default();
         let printed = section.lines().find_map(|line| line.strip_prefix("> *")?.strip_suffix('*'));
         let printed = printed.unwrap_or_else(|| panic!("{title} has no sentence of the paper"));
-        for sentence in printed.split(". ") {
+        // Between sentences of different pages stands `…`.
+        for sentence in printed.split(" … ").flat_map(|part| part.split(". ")) {
             let sentence = sentence.trim_end_matches('.');
             assert!(paper.as_ref().is_none_or(|paper| plain(paper).contains(sentence)), "{title}: {sentence}");
         }

@@ -16,6 +16,10 @@ const ON: usize = 1000;
 /// Errors below this are rounding of the answers, and no slope is fitted to them.
 const MEANINGLESS: f64 = 1e-12;
 
+/// The grid and the observables on which the two discretisations stand side by side: reactions, moment and energy.
+const COMPARED_ON: usize = 100;
+const COMPARED: [(usize, &str); 3] = [(0, "reactions"), (3, "moment"), (4, "energy")];
+
 /// Which of the observables the figure draws.
 const DRAWN: [usize; 3] = [0, 3, 4];
 
@@ -109,6 +113,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
             .rows(rows(&|family| (0..5).map(|of| Spread::range(orders(&lines, family, method, of))).collect()))
     });
     let [differences, elements] = by_method;
+    let [side_by_side, side_by_side_most] = [|s: Spread| s.median, |s: Spread| s.worst].map(|of| side_by_side(&lines, of));
     let medians = |of: usize| Family::ALL.map(|family| digit(family, of).map_or(f64::NAN, |s| s.median));
     let digits = |of: usize| {
         let uneven = range(medians(of)[1..].iter().copied());
@@ -131,7 +136,8 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         families => Family::ALL.len(),
         coarsest => GRIDS[0],
         finest => GRIDS[GRIDS.len() - 1],
-        supports, observables, rule, differences, elements,
+        supports, observables, rule, differences, elements, side_by_side, side_by_side_most,
+        advice => advised(&lines),
         on => ON,
         digit => context! { supports => digits(0), moment => digits(3), energy => digits(4) },
         thirty => context! { flat => at_thirty(Family::Flat), least_uneven => uneven_at_thirty.map(|r| r[0]) },
@@ -143,6 +149,35 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         answers => lines.iter().filter(|line| line.draw == 1).count(),
     };
     Evidence::new(values.clone()).file("population", file).figures([drawn(study, &lines, values)?])
+}
+
+/// The errors of both discretisations on one grid, in per cent: a row for each family, two columns for each observable.
+fn side_by_side(lines: &[Line], of: fn(Spread) -> f64) -> Table {
+    let names = COMPARED.iter().flat_map(|(_, name)| ["FD", "energy methods"].map(|method| format!("{name}, {method}")));
+    let cells = |family: Family| {
+        let errors = COMPARED.iter().flat_map(move |&(observable, _)| {
+            METHODS.map(|method| on(lines, family, method, COMPARED_ON, observable).map(of))
+        });
+        let errors = errors.map(|error| cell(error.map(|error| 100.0 * error), 2));
+        [family.name().to_owned()].into_iter().chain(errors).collect::<Vec<_>>()
+    };
+    Table::new(["foundation".to_owned()].into_iter().chain(names)).rows(Family::ALL.map(cells))
+}
+
+/// The paper's advice, energy methods rather than finite differences, as quotients of median errors on [`COMPARED_ON`] intervals: of the
+/// moment, energy methods over finite differences, on smooth foundations and on the others; of the energy the other way round, with other
+/// supports.
+fn advised(lines: &[Line]) -> Value {
+    let quotient = |family: Family, observable: usize| {
+        let [differences, energy] = METHODS.map(|method| on(lines, family, method, COMPARED_ON, observable));
+        Some(energy?.median / differences?.median)
+    };
+    let is_smooth = |family: &Family| matches!(family, Family::Flat | Family::Crests);
+    let [smooth, other] = [true, false].map(|smooth| {
+        let families = Family::ALL.into_iter().filter(|family| is_smooth(family) == smooth);
+        range(families.filter_map(|family| quotient(family, 3))).map(|[least, most]| context! { least, most })
+    });
+    context! { smooth, other, held_energy => quotient(Family::Held, 4).map(f64::recip) }
 }
 
 /// A panel for each family: medians as lines and the worst as marks, over the number of intervals.

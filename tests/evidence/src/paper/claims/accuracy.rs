@@ -88,7 +88,8 @@ pub struct Errors {
     pub deflection: f64,
     /// Of the largest bending moment.
     pub moment: f64,
-    /// Largest deviation of a contact force from `q₀Δ`, over `q₀Δ`, without the first and last node in contact.
+    /// Largest deviation of a contact force from `q₀Δ`, over `q₀Δ`, of the interior nodes: without the first two and the last two nodes
+    /// in contact, which share the concentrated forces at lift-off.
     pub pressure: f64,
     /// Open intervals inside the contact, where beam theory has none.
     pub holes: usize,
@@ -97,7 +98,10 @@ pub struct Errors {
 /// What we call usable: one per cent.
 const USABLE: f64 = 0.01;
 
-/// A grid that nobody could afford in 1984.
+/// Nodes at each end of the contact that share a concentrated force.
+const SHARING: usize = 2;
+
+/// A finer grid than the paper's.
 const FINE: usize = 300;
 
 /// The paper's grid, the coarser one that it calls usable, and a fine one.
@@ -118,7 +122,7 @@ pub fn errors(intervals: usize) -> Result<Errors, SceneError> {
     let nodes = state.nodes.clone().unwrap_or_default();
     let nodal_load = scene.load().uniform() * scene.beam().length() / intervals as f64;
     let touching: Vec<f64> = nodes.contact_force.iter().copied().filter(|p| 0.0 < *p).collect();
-    let inner = &touching[1.min(touching.len())..touching.len().saturating_sub(1)];
+    let inner = touching.get(SHARING..touching.len().saturating_sub(SHARING)).unwrap_or_default();
     let exact_moment = exact.reaction * exact.reaction / (2.0 * scene.load().uniform());
     Ok(Errors {
         intervals,
@@ -140,13 +144,14 @@ impl Errors {
 }
 
 /// "The estimates of the contact pressure distribution and of the deflected shape are entirely usable. Usable results were
-/// obtained when the beam was divided into 20 equal intervals": deflected shape, moment and end reaction.
+/// obtained when the beam was divided into 20 equal intervals": the verdict is of the deflected shape; moment and end reaction are shown.
 pub(super) fn usable_shape(grids: &[Errors; 3]) -> Claim {
     let [paper, coarse, fine] = grids;
     assert_eq!([paper, coarse].map(|grid| grid.intervals), [30, 20], "the grids of the paper");
     assert!(fine.worst() < USABLE, "{fine:?}");
     assert!(coarse.end_reaction < 3.0 * USABLE && coarse.deflection < USABLE, "{coarse:?}");
-    let verdict = match [paper, coarse].map(|grid| grid.worst() <= USABLE) {
+    // The paper says it of the deflected shape (siirtymätila).
+    let verdict = match [paper, coarse].map(|grid| grid.deflection <= USABLE) {
         [true, true] => Verdict::Confirmed,
         [false, false] => Verdict::Refuted,
         _ => Verdict::Qualified,
@@ -160,26 +165,27 @@ pub(super) fn usable_shape(grids: &[Errors; 3]) -> Claim {
     Claim { name: "usable_shape", verdict, numbers: json!({ "grids": [line(paper), line(coarse)] }) }
 }
 
-/// The same of the pressure distribution: usable only if no finer grid is worse than that of the paper.
+/// What may deviate on the paper's grid if its pressure is to be usable there: the interior nodes from `q₀Δ`, and the first contact force
+/// from the concentrated force at lift-off.
+const USABLE_PRESSURE: [f64; 2] = [0.2, 0.05];
+
+/// The same of the pressure distribution, of the interior nodes and of the first contact force. Usable on the paper's grid, and on the
+/// coarser one or on a finer one not, is qualified.
 pub(super) fn usable_pressure([paper, coarse, fine]: &[Errors; 3]) -> Result<Claim, SceneError> {
     let looked_at: Vec<Errors> = (1..=20).map(|k| errors(20 * k)).collect::<Result<_, _>>()?;
     let holes = looked_at.iter().filter(|e| 0 < e.holes).count();
-    let worst = looked_at.iter().max_by(|a, b| a.pressure.total_cmp(&b.pressure)).unwrap_or(paper);
-    // On the paper's grid nodal forces deviate by less than q₀Δ itself; but contacts have holes, and nothing converges.
-    assert!(paper.first_force.abs() < 0.05 && 0.5 < coarse.first_force.abs(), "{paper:?} {coarse:?}");
-    assert!((0.5..1.0).contains(&paper.pressure) && 5.0 < worst.pressure, "{paper:?} {worst:?}");
-    assert!(looked_at.len() < 2 * holes, "{holes} of {}", looked_at.len());
-    let verdict = if worst.pressure <= paper.pressure && holes == 0 {
-        Verdict::Confirmed
-    } else if paper.pressure <= 1.0 {
-        Verdict::Qualified
-    } else {
-        Verdict::Refuted
+    let most = looked_at.iter().max_by(|a, b| a.pressure.total_cmp(&b.pressure)).unwrap_or(paper);
+    let is_usable = |e: &Errors| e.pressure <= USABLE_PRESSURE[0] && e.first_force.abs() <= USABLE_PRESSURE[1];
+    let usable = looked_at.iter().filter(|e| is_usable(e)).count();
+    let verdict = match (is_usable(paper), is_usable(coarse) && usable == looked_at.len()) {
+        (true, true) => Verdict::Confirmed,
+        (true, false) => Verdict::Qualified,
+        (false, _) => Verdict::Refuted,
     };
     let grid = |e: &Errors| json!({ "intervals": e.intervals, "force": e.first_force, "pressure": e.pressure });
     let numbers = json!({
-        "paper": grid(paper), "coarse": grid(coarse), "fine": grid(fine), "worst": grid(worst),
-        "grids": looked_at.len(), "with_holes": holes,
+        "paper": grid(paper), "coarse": grid(coarse), "fine": grid(fine), "most": grid(most),
+        "grids": looked_at.len(), "usable": usable, "with_holes": holes,
     });
     Ok(Claim { name: "usable_pressure", verdict, numbers })
 }

@@ -1,10 +1,10 @@
 //! The claims ledger: what the paper says, what the numbers say now.
 //!
 //! A claim is one function: it measures, asserts what its words rest on, and returns the verdict with the numbers. The words are in
-//! `report/templates/claims.md`. The one claim about the literature, that the force method was new, cannot be decided by computing
-//! and stays open; another is open because what was computed does not decide it.
+//! `report/templates/claims.md`. Claims about the literature cannot be decided by computing and stay open.
 
 pub mod accuracy;
+mod advice;
 pub mod curved;
 pub mod energy_methods;
 mod extensions;
@@ -18,14 +18,16 @@ use serde_json::{Value, json};
 /// What became of a claim.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
-    /// It holds as stated, as far as we measured.
+    /// It is true as stated, as far as we measured.
     Confirmed,
-    /// It holds under conditions that the paper does not state.
+    /// It is true under conditions that the paper does not state.
     Qualified,
-    /// It does not hold.
+    /// It is not true.
     Refuted,
     /// No computation decides it: none can, or none has.
     Open,
+    /// No claim, but work that the paper names for the future. It is not counted.
+    Outlook,
 }
 
 impl Verdict {
@@ -42,6 +44,7 @@ impl Verdict {
             Self::Qualified => "qualified",
             Self::Refuted => "refuted",
             Self::Open => "open",
+            Self::Outlook => "outlook",
         }
     }
 }
@@ -72,6 +75,11 @@ pub struct Ledger {
     pub digits: [energy_methods::Digits; 2],
 }
 
+/// A claim about what had been published by 1984.
+fn of_the_literature(name: &'static str) -> Claim {
+    Claim { name, verdict: Verdict::Open, numbers: json!({}) }
+}
+
 impl Ledger {
     /// Measures everything. It takes some seconds, most of them for NSOR.
     ///
@@ -89,15 +97,20 @@ impl Ledger {
         let claims = vec![
             accuracy::printed_numbers()?,
             energy_methods::same_result()?,
-            Claim { name: "novelty_of_the_force_method", verdict: Verdict::Open, numbers: json!({}) },
+            of_the_literature("novelty_of_the_force_method"),
+            of_the_literature("discretised_before"),
+            advice::one_solution()?,
+            advice::meaning_of_the_gradient()?,
             accuracy::exact_for_point_forces()?,
             accuracy::usable_shape(&grids),
             accuracy::usable_pressure(&grids)?,
             direct,
             edge,
             nsor::claim(&nsor),
+            advice::energy_methods_preferred()?,
             energy_methods::whichever_matrix_is_easier(&digits)?,
             energy_methods::bounded_from_both_sides()?,
+            advice::settled_foundations(),
             extensions::any_elastic_body()?,
             extensions::elastic_foundation()?,
             extensions::unknown_rigid_motion()?,

@@ -90,33 +90,37 @@ fn held(study: &Study<'_>, store: &Store, population: &[Line]) -> Result<Vec<Adv
     Ok(advice)
 }
 
-/// Two tables, if the advice holds: what is advised, with the worst time and two of the observables; and all of them.
+/// How many of the cases the report shows; the page on costs has all.
+const SHOWN: usize = 5;
+
+/// Two tables, if the advice holds: the first cases with their command, grid, time and promises, and the errors of every observable in
+/// every case.
 pub(super) fn tables(study: &Study<'_>, store: &Store, population: &[Line]) -> Result<[Table; 2], Cause> {
-    let told = SUPPORTS_AND_MOMENT.map(|of| NAMES[of]);
-    let header = ["your case", "command", "grid and time", told[0], told[1], "what to believe"];
-    let (mut advised, mut all) =
-        (Table::new(header), Table::new(["your case", "scenes", "missed"].into_iter().chain(NAMES)));
-    for advice in held(study, store, population)? {
+    let of_supports_and_moment = ["reactions, %", "moment, %"];
+    let header = ["your case", "command", "intervals", "time, ms"].into_iter().chain(of_supports_and_moment);
+    let mut advised = Table::new(header.chain(["what to trust"]));
+    let mut all = Table::new(["your case", "quantity", "promised, %", "median, %", "maximum, %", "problems", "missed"]);
+    for (place, advice) in held(study, store, population)?.into_iter().enumerate() {
         let found = Measured::of(&advice, store, population)?;
-        let slowest = found.timed.iter().map(|line| milliseconds(line)).fold(0.0, f64::max);
-        let grids = range(found.timed.iter().filter_map(|line| Some(as_number(line.last_intervals?))));
-        let grid = match (advice.intervals, grids) {
-            (0, Some([least, most])) => format!("{} to {} intervals", count(least), count(most)),
-            (0, None) => "no grid".to_owned(),
-            (intervals, _) => format!("{} intervals", count(intervals)),
-        };
-        // The exact solution is what all others are compared with.
-        let compared = |of| if advice.method == "exact" { None } else { found.errors(of) };
-        let errors: [String; 5] = std::array::from_fn(|of| {
-            let promise = advice.promises()[of].map_or("–".to_owned(), |most| significant(100.0 * most, 1));
-            compared(of)
-                .map_or_else(|| promise.clone(), |found| format!("{promise} ({})", Spread::percent(Some(found))))
-        });
-        let counts = row![advice.case, found.drawn.len(), found.misses(&advice)];
-        let [supports, moment] = SUPPORTS_AND_MOMENT.map(|of| errors[of].clone());
-        all.push(counts.into_iter().chain(errors));
-        let time = format!("{grid}, {} ms", cell(Some(slowest), 2));
-        advised.push(row![advice.case, format!("`{}`", advice.command), time, supports, moment, advice.believe]);
+        let percent = |error: Option<f64>, digits| cell(error.map(|error| 100.0 * error), digits);
+        let promised = |of: usize| percent(advice.promises()[of], 1);
+        for (of, name) in NAMES.into_iter().enumerate() {
+            // The grid-free solution is what all others are compared with.
+            let spread = found.errors(of).filter(|_| advice.method != "exact");
+            let [median, most] = [|s: Spread| s.median, |s: Spread| s.worst].map(|of| percent(spread.map(of), 2));
+            all.push(row![advice.case, name, promised(of), median, most, found.drawn.len(), found.misses(&advice)]);
+        }
+        if place < SHOWN {
+            let slowest = found.timed.iter().map(|line| milliseconds(line)).fold(0.0, f64::max);
+            let grid = match advice.intervals {
+                0 if advice.method == "exact" => "none".to_owned(),
+                0 => "as needed".to_owned(),
+                intervals => count(intervals),
+            };
+            let [supports, moment] = SUPPORTS_AND_MOMENT.map(promised);
+            let (command, time) = (format!("`{}`", advice.command), cell(Some(slowest), 2));
+            advised.push(row![advice.case, command, grid, time, supports, moment, advice.believe]);
+        }
     }
     Ok([advised, all])
 }

@@ -20,7 +20,7 @@ pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         (claim.name, context! { verdict => claim.verdict.name(), ..Value::from(Serde(&claim.numbers)) })
     };
     let values = context! {
-        total => claims.len(),
+        total => claims.iter().filter(|claim| claim.verdict != Verdict::Outlook).count(),
         confirmed => count(Verdict::Confirmed),
         qualified => count(Verdict::Qualified),
         refuted => count(Verdict::Refuted),
