@@ -196,10 +196,7 @@ fn of_nodes(enclosed: &EnclosedScene<'_>, scale: &Scale, pair: &Pair, nodes: &No
 /// The same of the deflection that contact forces cause.
 fn of_forces(scene: &Scene, enclosed: &EnclosedScene<'_>, pair: &Pair, forces: &ContactLoad) -> Option<(Error, f64)> {
     let EnclosedScene { stiffness, length, .. } = *enclosed;
-    let caused = match scene.ground_stiffness() {
-        Some(_) => spread::deflection(scene, enclosed, forces),
-        None => contact_load::deflection(forces, enclosed, &[]),
-    }?;
+    let caused = spread::caused(scene, enclosed, forces)?;
     let cells = caused.iter().copied().map(judged::Cell::of);
     let error = distance::of(pair, judged::parts(&pair.pieces, cells, length), stiffness, length)?;
     let size = largest(caused.iter().copied());

@@ -14,7 +14,7 @@
 //! What is judged is the beam under the true load and these pressures, in this position. The bound on its error holds whatever the
 //! forces are.
 
-use super::contact_load::{ContactLoad, bent};
+use super::contact_load::{self, ContactLoad, bent};
 use super::kernel::contact_node::EnclosedScene;
 use super::kernel::interval::Interval;
 use super::kernel::polynomial::Polynomial;
@@ -45,7 +45,15 @@ pub(super) fn spread(scene: &Scene, forces: &ContactLoad) -> Vec<Spread> {
     forces.pressing.iter().map(|&(x, force)| Spread { x, force, width: width(x) }).collect()
 }
 
-/// The deflection that they cause; [`None`] where they say nothing of its position.
+/// The deflection that contact forces cause, those of an elastic foundation as those of springs.
+pub(super) fn caused(scene: &Scene, enclosed: &EnclosedScene<'_>, forces: &ContactLoad) -> Option<Vec<Curve>> {
+    match scene.ground_stiffness() {
+        Some(_) => deflection(scene, enclosed, forces),
+        None => contact_load::deflection(forces, enclosed, &[]),
+    }
+}
+
+/// The deflection that forces of springs cause; [`None`] where they say nothing of its position.
 pub(super) fn deflection(scene: &Scene, enclosed: &EnclosedScene<'_>, forces: &ContactLoad) -> Option<Vec<Curve>> {
     let (k, given) = (scene.ground_stiffness()?, spread(scene, forces));
     let spread = given.iter().filter(|f| 0.0 < f.width).map(|f| {
