@@ -42,6 +42,8 @@ pub struct Exact {
     pub(super) list: List,
     /// The contacts of the list, whether they press or not.
     pub(super) listed: Vec<Contact>,
+    /// Those of them that do not press, or do in a part of them only.
+    pub(super) idle: Vec<Contact>,
     pub(super) spans: Vec<(usize, Span)>,
     /// Of the nodes of the list, over `EI`; of a support without the load that stands on it.
     pub(super) forces: Vec<f64>,
@@ -72,6 +74,7 @@ impl Exact {
             [0.0, given.length].map(|end| couple(&given, &list, &checked.moments, end) * stiffness * scale.moment());
         let exact = Self {
             listed: state.contacts.clone(),
+            idle: Vec::new(),
             state,
             solved,
             converged,
@@ -226,6 +229,16 @@ impl Exact {
             Slope::Free(_) => None,
         };
         self.list.nodes.iter().filter_map(held).collect()
+    }
+
+    /// The places of its contacts and of the supports that press, and those of its list besides that do not: from these a certificate is
+    /// proven.
+    pub(crate) fn witness(&self) -> Vec<Contact> {
+        let is_in = |c: &Contact| self.idle.iter().any(|idle| idle.from <= c.from && c.to <= idle.to);
+        let mut all: Vec<Contact> = self.state.touched().into_iter().filter(|contact| !is_in(contact)).collect();
+        all.extend_from_slice(&self.idle);
+        all.sort_by(|a, b| a.from.total_cmp(&b.from));
+        all
     }
 
     /// Of ground that gives, the stretches of the beam in the units of [`Scene::scaled`](crate::scene::Scene::scaled): the witness of a

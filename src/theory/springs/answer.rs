@@ -133,6 +133,7 @@ pub(in crate::theory) fn exact(scaled: &Scaled, given: PiecewiseScene, stiffness
         violations: if state.is_finite() { Vec::new() } else { vec![Violation::Overflow] },
         support_couples: [0.0; 2],
         listed: state.contacts.clone(),
+        idle: Vec::new(),
         state,
         springs: Some(functions),
         list: List { nodes: Vec::new() },
