@@ -181,19 +181,37 @@ impl Exact {
         if let Some(springs) = &self.springs {
             return springs.clearance_extremes([from / length, to / length]).in_units(depth, length);
         }
+        summary::clearance_extremes(&self.given, self.parts_between(from, to).iter()).in_units(depth, length)
+    }
+
+    /// The greatest and the least moment from `from` to `to`, each an end of the beam or of a contact \[force · length\].
+    #[must_use]
+    pub fn moment_extremes(&self, from: f64, to: f64) -> Extremes {
+        let Scale { length, .. } = self.scale;
+        let bent = match &self.springs {
+            Some(springs) => springs.bend_extremes([from / length, to / length]),
+            None => summary::bend_extremes(&self.given, &self.parts_between(from, to)),
+        };
+        bent.in_units(self.stiffness * self.scale.moment(), length)
+    }
+
+    /// The parts of the beam, each in one cell, from `from` to `to`, in the units of the scene.
+    fn parts_between(&self, from: f64, to: f64) -> Vec<Piece> {
+        let [from, to] = [from, to].map(|x| x / self.scale.length);
         let inside = |piece: &Piece| {
-            let middle = 0.5 * (piece.lo + piece.hi) * length;
+            let middle = 0.5 * (piece.lo + piece.hi);
             from <= middle && middle <= to
         };
+        let first = self.pieces.partition_point(|piece| piece.hi < from);
         let mut parts = Vec::new();
-        for piece in &self.pieces {
+        for piece in self.pieces[first..].iter().take_while(|piece| piece.lo <= to) {
             let start = parts.len();
             parts.extend(piece.parts(&self.given).filter(inside));
             if !piece.is_from_the_left() {
                 parts[start..].reverse();
             }
         }
-        summary::clearance_extremes(&self.given, parts.iter()).in_units(depth, length)
+        parts
     }
 
     /// Contact pressure `p = q − EI u''''` inside a zone, zero outside; without concentrated forces \[force / length\].
