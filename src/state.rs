@@ -272,18 +272,6 @@ impl ContactState {
         all
     }
 
-    /// The places of the same, and the stretches on which the beam lies without pressing as well: the contacts from which a certificate
-    /// is proven.
-    pub(crate) fn places(&self) -> Vec<Contact> {
-        let stretches: Vec<&Touch> = self.touches.iter().filter(|touch| touch.from < touch.to).collect();
-        let is_inside = |c: &Contact| stretches.iter().any(|touch| touch.from <= c.from && c.to <= touch.to);
-        let mut all: Vec<Contact> = self.touched().into_iter().filter(|contact| !is_inside(contact)).collect();
-        let lying = |touch: &&Touch| Contact { from: touch.from, to: touch.to, force: 0.0, end_forces: Some([0.0; 2]) };
-        all.extend(stretches.iter().map(lying));
-        all.sort_by(|a, b| a.from.total_cmp(&b.from));
-        all
-    }
-
     /// Resultant of all contacts with the ground, upwards \[force\].
     #[must_use]
     pub fn contact_force(&self) -> f64 {

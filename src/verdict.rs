@@ -367,7 +367,7 @@ impl fmt::Display for Verdict {
 #[must_use]
 pub fn certificate(state: &ContactState, witness: &Witness<'_>) -> Option<Certificate> {
     let Some(nodes) = &state.nodes else {
-        return certify(witness.scene(), Judged::Witness, &state.places()).ok();
+        return certify(witness.scene(), Judged::Witness, &state.touched()).ok();
     };
     if nodes.contact_force.iter().any(|force| !force.is_finite()) {
         return None;

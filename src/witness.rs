@@ -43,7 +43,7 @@ pub(crate) struct ExactContacts {
 impl ExactContacts {
     /// Those of an answer of theory, whether it is a solution or not.
     pub(crate) fn of(exact: &Exact) -> Self {
-        Self { contacts: exact.state.places(), held: exact.held(), stretches: exact.stretches() }
+        Self { contacts: exact.witness(), held: exact.held(), stretches: exact.stretches() }
     }
 
     /// What they prove, if the scene can be scaled.

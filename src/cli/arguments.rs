@@ -305,7 +305,8 @@ pub(super) struct Export {
 pub(super) struct Sweep {
     #[command(flatten)]
     pub(super) common: Common,
-    /// The number that is varied; of several with commas between them, the others are changed by the same amount as the first
+    /// The number that is varied; of several with commas between them, the others are changed by the same amount as the first, or by minus
+    /// the amount after a minus sign. `[*]` stands for each index. A point load beyond the beam is no load
     #[arg(long, value_name = "PATH[,PATH…]")]
     pub(super) vary: String,
     /// Its first value
@@ -317,6 +318,9 @@ pub(super) struct Sweep {
     /// How many values, both ends included, at least 2
     #[arg(short = 'n', long, value_name = "N", allow_hyphen_values = true, value_parser = steps, default_value_t = 101)]
     pub(super) steps: usize,
+    /// Places along the beam, with commas between them: deflection, slope, moment and shear force there for each value
+    #[arg(long, value_name = "X[,X…]", value_delimiter = ',', allow_hyphen_values = true, value_parser = number)]
+    pub(super) at: Vec<f64>,
     /// Largest and least moment and shear force along the beam and force of each support over all values; the moments that govern and
     /// the forces of supports are refined between them
     #[arg(long)]

@@ -7,7 +7,8 @@ use palkki::adaptive::{End, Trial};
 use palkki::certificate::{Certificate, Violation};
 use palkki::route::Status;
 use palkki::state::{Contact, Extremes, Nodes, Pressure, Regime, Standing, SupportForce, Touch};
-use palkki::sweep::{Envelope, Event};
+use palkki::sweep::{AtPlace, Envelope, Event};
+use palkki::theory::FreeSpan;
 use serde::Serialize;
 
 use super::answer::Answer;
@@ -15,7 +16,7 @@ use super::certify::Finding;
 use super::compare::{Comparison, Difference};
 use super::input::Input;
 use super::local::Local;
-use super::sweep::Stopped;
+use super::sweep::{Stopped, SweptRow};
 
 /// Grids with more intervals are printed without their nodes, unless these are asked for.
 pub(super) const MOST_INTERVALS_WITH_NODES: usize = 10_000;
@@ -43,13 +44,18 @@ pub(super) fn solve(input: &Input, answer: &Answer, all_nodes: bool, local: &Loc
         scene: SceneObject<'a>,
         #[serde(flatten)]
         route: RouteObject<'a>,
+        /// Only of beam theory.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        spans: Option<Vec<SpanObject>>,
         nodes: Option<&'a Nodes>,
         #[serde(flatten)]
         local: &'a Local,
     }
+    let exact = answer.solution.exact.as_ref().filter(|_| answer.solution.has_answer());
+    let spans = exact.map(|exact| exact.free_spans(answer.length).iter().map(SpanObject::from).collect());
     let few = answer.intervals.is_some_and(|intervals| intervals <= MOST_INTERVALS_WITH_NODES);
     let nodes = answer.nodes().filter(|_| few || all_nodes);
-    print(&SolveObject { scene: input.into(), route: answer.into(), nodes, local })
+    print(&SolveObject { scene: input.into(), route: answer.into(), spans, nodes, local })
 }
 
 /// What `compare` found.
@@ -103,10 +109,10 @@ pub(super) fn certify(input: &Input, finding: &Finding) -> String {
 }
 
 /// What `sweep` found: the number that was varied, its values with their answers, and the events.
-pub(super) fn sweep(
+pub(super) fn sweep<'a>(
     input: &Input,
     vary: &str,
-    rows: &[(f64, Answer)],
+    rows: &'a [SweptRow],
     events: &[Event],
     envelope: Option<&Envelope>,
     stopped: Option<&Stopped>,
@@ -129,8 +135,12 @@ pub(super) fn sweep(
         value: f64,
         #[serde(flatten)]
         route: RouteObject<'a>,
+        /// Only with `--at`.
+        #[serde(skip_serializing_if = "<[_]>::is_empty")]
+        at: &'a [AtPlace],
     }
-    let rows = rows.iter().map(|(value, answer)| RowObject { value: *value, route: answer.into() }).collect();
+    let row = |row: &'a SweptRow| RowObject { value: row.value, route: (&row.answer).into(), at: &row.at };
+    let rows = rows.iter().map(row).collect();
     print(&SweepObject { scene: input.into(), vary, rows, events, envelope, stopped })
 }
 
@@ -261,6 +271,36 @@ impl ContactObject {
 impl From<&Contact> for ContactObject {
     fn from(&Contact { from, to, force, end_forces }: &Contact) -> Self {
         Self::new(from, to, force, end_forces)
+    }
+}
+
+/// A stretch without contact; `clearance` is `null` where there is no foundation.
+#[derive(Debug, Serialize)]
+struct SpanObject {
+    from: f64,
+    to: f64,
+    length: f64,
+    clearance: Option<LargestObject>,
+    moment: RangeObject,
+}
+
+#[derive(Debug, Serialize)]
+struct LargestObject {
+    max: f64,
+    at: f64,
+}
+
+#[derive(Debug, Serialize)]
+struct RangeObject {
+    max: f64,
+    min: f64,
+}
+
+impl From<&FreeSpan> for SpanObject {
+    fn from(&FreeSpan { from, to, clearance, moment }: &FreeSpan) -> Self {
+        let clearance = clearance.map(|clearance| LargestObject { max: clearance.max, at: clearance.max_at });
+        let moment = RangeObject { max: moment.max, min: moment.min };
+        Self { from, to, length: to - from, clearance, moment }
     }
 }
 

@@ -207,11 +207,18 @@ fn certify(arguments: &arguments::Certify) -> Result<u8, Failure> {
 }
 
 fn sweep(arguments: &arguments::Sweep) -> Result<u8, Failure> {
-    let arguments::Sweep { common, vary, from, to, steps, envelope, csv, plot } = arguments;
+    let arguments::Sweep { common, vary, from, to, steps, at, envelope, csv, plot } = arguments;
     let what = format!("sweeping {vary} for {}", input::called(&common.scene.path));
     let on_beam = |input: &Input| {
         let sweep = Sweep::new(&input.scene, vary, [*from, *to], *steps)?;
-        let swept = sweep::Swept::of(&sweep, input.scene.beam().length(), *envelope)?;
+        let length = input.scene.beam().length();
+        if let Some(x) = at.iter().find(|x| !(0.0..=length).contains(*x)) {
+            return Err(Failure::refused(
+                "sweep",
+                format!("--at must lie on the beam, between 0 and {length}, but is {x}"),
+            ));
+        }
+        let swept = sweep::Swept::of(&sweep, length, at, *envelope)?;
         let csv = csv.as_ref().map(|path| (path, swept.csv()));
         let plot = plot.as_ref().map(|path| Ok::<_, Failure>((path, swept.figure(input)?))).transpose()?;
         let text = common.shown(|| swept.text(input), || swept.json(input));

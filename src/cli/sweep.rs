@@ -6,7 +6,9 @@ use palkki::plot;
 use palkki::route::Status;
 use palkki::scene::{Beam, Quantity};
 use palkki::state::Contact;
-use palkki::sweep::{Envelope, Event, Events, Governing, MOST_WORK, Moment, SupportEnvelope, Sweep, SweepError, Walk};
+use palkki::sweep::{
+    AtPlace, Envelope, Event, Events, Governing, MOST_WORK, Moment, SupportEnvelope, Sweep, SweepError, Walk,
+};
 use palkki::text::{magnitude, significant};
 
 use super::answer::Answer;
@@ -15,7 +17,7 @@ use super::given::given;
 use super::input::Input;
 use super::json;
 use super::output::Failure;
-use super::table::{Labels, Row, list, table};
+use super::table::{Labels, MOST_ROWS, Row, list, table};
 use super::text::heading;
 
 /// Rows of a table for a person; of more so many are shown.
@@ -32,13 +34,20 @@ pub(super) struct Swept {
     quantity: Quantity,
     /// The paths of all numbers that are varied.
     paths: String,
-    rows: Vec<(f64, Answer)>,
+    rows: Vec<SweptRow>,
     events: Vec<Event>,
     envelope: Option<Envelope>,
     /// Where it was stopped.
     stopped: Option<Stopped>,
     /// Time of all answers with their certificates, and of the events.
     seconds: [f64; 2],
+}
+
+/// A value with its answer, and what that has at the places of `--at`.
+pub(super) struct SweptRow {
+    pub(super) value: f64,
+    pub(super) answer: Answer,
+    pub(super) at: Vec<AtPlace>,
 }
 
 /// A sweep that takes more work than one may, or has values without an answer: what there is of it.
@@ -100,10 +109,10 @@ const REASON: &str =
 
 impl Swept {
     /// The answers of a sweep over a beam of this length, for all values that have one; an error if none has.
-    pub(super) fn of(sweep: &Sweep<'_>, length: f64, envelope: bool) -> Result<Self, Failure> {
+    pub(super) fn of(sweep: &Sweep<'_>, length: f64, places: &[f64], envelope: bool) -> Result<Self, Failure> {
         let begin = Instant::now();
         let mut walk = sweep.walk();
-        let (mut rows, mut times) = (Vec::new(), Vec::new());
+        let (mut rows, mut beside) = (Vec::new(), Vec::new());
         let mut gaps = Gaps::default();
         let mut gathered = envelope.then(|| sweep.gathered());
         for value in sweep.values() {
@@ -114,7 +123,8 @@ impl Swept {
             match walk.solve(value) {
                 Ok(step) => {
                     gaps.end(&walk, value);
-                    times.push(start.elapsed().as_secs_f64());
+                    let at: Vec<AtPlace> = places.iter().map(|x| step.at(*x)).collect();
+                    beside.push((at, start.elapsed().as_secs_f64()));
                     if let Some(gathered) = &mut gathered {
                         gathered.add(&step);
                     }
@@ -142,17 +152,17 @@ impl Swept {
             reason: gaps.reason().unwrap_or_else(|| REASON.to_owned()),
         });
         let seconds = [solved, begin.elapsed().as_secs_f64() - solved];
-        let rows = rows
-            .into_iter()
-            .zip(times)
-            .map(|(row, time)| (row.value, Answer::without_grid(length, row.solution, time)));
+        let rows = rows.into_iter().zip(beside).map(|(row, (at, time))| {
+            let answer = Answer::without_grid(length, row.solution, time);
+            SweptRow { value: row.value, answer, at }
+        });
         let (quantity, paths) = (sweep.quantity(), sweep.paths());
         Ok(Self { quantity, paths, rows: rows.collect(), events, envelope, stopped, seconds })
     }
 
     /// Whether there is an answer for every value, and every one is certified.
     pub(super) fn is_certified(&self) -> bool {
-        self.stopped.is_none() && self.rows.iter().all(|(_, answer)| answer.is_certified())
+        self.stopped.is_none() && self.rows.iter().all(|row| row.answer.is_certified())
     }
 
     pub(super) fn json(&self, input: &Input) -> String {
@@ -164,15 +174,15 @@ impl Swept {
         if let Some(envelope) = &self.envelope {
             return Ok(plot::envelope(&input.scene, &self.paths, envelope)?);
         }
-        let rows: Vec<_> = self.rows.iter().map(|(value, answer)| (*value, &answer.solution.state)).collect();
+        let rows: Vec<_> = self.rows.iter().map(|row| (row.value, &row.answer.solution.state)).collect();
         Ok(plot::sweep(&input.scene, self.quantity, &rows, &self.events, "")?)
     }
 
     pub(super) fn text(&self, input: &Input) -> String {
         let labels = input.labels();
-        let certified = self.rows.iter().filter(|(_, answer)| answer.is_certified()).count();
-        let ends =
-            [self.rows.first(), self.rows.last()].map(|row| row.map_or_else(String::new, |row| labels.number(row.0)));
+        let certified = self.rows.iter().filter(|row| row.answer.is_certified()).count();
+        let ends = [self.rows.first(), self.rows.last()]
+            .map(|row| row.map_or_else(String::new, |row| labels.number(row.value)));
         let [rows, events] = self.seconds.map(magnitude);
         let status = Status::of_several(self.is_certified());
         let varied = match self.paths.split_once(',') {
@@ -219,13 +229,41 @@ impl Swept {
         ]);
         let step = self.rows.len().div_ceil(SHOWN);
         let last = self.rows.len() - 1;
-        let shown = self.rows.iter().enumerate().filter(|(i, _)| i % step == 0 || *i == last);
-        let rows: Vec<Row> = shown.map(|(_, (value, answer))| row(*value, answer, &outermost, &labels)).collect();
+        let shown = || self.rows.iter().enumerate().filter(|(i, _)| i % step == 0 || *i == last).map(|(_, row)| row);
+        let rows: Vec<Row> = shown().map(|swept| row(swept.value, &swept.answer, &outermost, &labels)).collect();
         let title = match rows.len() {
             all if all == self.rows.len() => "Answers".to_owned(),
             some => format!("Answers, {some} of {}; --csv and --format json have all", self.rows.len()),
         };
-        text + &table(&title, &header, &rows)
+        text += &table(&title, &header, &rows);
+        for k in 0..self.rows.first().map_or(0, |row| row.at.len()) {
+            text += &self.at_place(shown().filter_map(|row| Some((row.value, row.at.get(k)?))), &labels);
+        }
+        text
+    }
+
+    /// What rows have at a place.
+    fn at_place<'a>(&self, rows: impl Iterator<Item = (f64, &'a AtPlace)> + Clone, labels: &Labels) -> String {
+        let x = rows.clone().next().map_or(0.0, |(_, place)| place.x);
+        let of = |(value, place): (f64, &AtPlace)| -> Row {
+            let AtPlace { deflection, slope, moment, shear, .. } = *place;
+            [value, deflection, slope]
+                .into_iter()
+                .chain(moment)
+                .chain(shear)
+                .map(|number| labels.number(number))
+                .collect()
+        };
+        let header = [
+            self.quantity.to_string(),
+            labels.length.name("deflection"),
+            "slope".to_owned(),
+            labels.moment.name("moment left"),
+            labels.moment.name("moment right"),
+            labels.force.name("shear left"),
+            labels.force.name("shear right"),
+        ];
+        table(&format!("At x = {}", labels.length.value(x)), &header, &rows.map(of).collect::<Vec<_>>())
     }
 
     /// One row for each value. Supports and contacts are numbered from left to right; contacts that a row does not have are empty.
@@ -233,7 +271,7 @@ impl Swept {
         if let Some(envelope) = &self.envelope {
             return envelope_csv(envelope);
         }
-        let states = || self.rows.iter().map(|(_, answer)| &answer.solution.state);
+        let states = || self.rows.iter().map(|row| &row.answer.solution.state);
         // All rows have the same supports.
         let supports = states().next().map_or(0, |state| state.supports.len());
         let contacts = states().map(|state| state.contacts.len()).max().unwrap_or(0);
@@ -243,8 +281,13 @@ impl Swept {
         );
         header.extend((1..=supports).map(|i| format!(",support_{i}_at,support_{i}_force")));
         header.extend((1..=contacts).map(|i| format!(",contact_{i}_from,contact_{i}_to,contact_{i}_force")));
+        let places = self.rows.first().map_or(0, |row| row.at.len());
+        header.extend((1..=places).map(|i| {
+            let names = ["x", "deflection", "slope", "moment_left", "moment_right", "shear_left", "shear_right"];
+            names.map(|name| format!(",at_{i}_{name}")).concat()
+        }));
         let mut text = header + "\n";
-        for (value, answer) in &self.rows {
+        for SweptRow { value, answer, at } in &self.rows {
             let (state, verdict) = (&answer.solution.state, &answer.solution.verdict);
             let error = verdict.certificate.as_ref().map_or(f64::INFINITY, |c| c.deflection_error);
             let (v, m) = (state.deflection, state.moment);
@@ -257,6 +300,9 @@ impl Swept {
                 state.contacts.iter().flat_map(|&Contact { from, to, force, .. }| [from, to, force]).map(field),
             );
             cells.resize(12 + 2 * supports + 3 * contacts, String::new());
+            cells.extend(at.iter().flat_map(|&AtPlace { x, deflection, slope, moment, shear }| {
+                [x, deflection, slope, moment[0], moment[1], shear[0], shear[1]].map(field)
+            }));
             text += &(cells.join(",") + "\n");
         }
         text
@@ -265,10 +311,15 @@ impl Swept {
 
 /// The moments that govern, and the forces of the supports.
 fn envelope_text(envelope: &Envelope, labels: &Labels) -> String {
-    let Governing { moment_max, moment_min } = envelope.governing;
-    let moment = |moment: Moment| {
+    let Governing { moment_max, moment_min } = &envelope.governing;
+    let moment = |moment: &Moment| {
         let at = format!("at x = {} for the value", labels.length.value(moment.at));
-        format!("{} {at} {}", labels.moment.value(moment.moment), labels.number(moment.value))
+        let [left, right] = moment.shear.map(|shear| labels.force.value(shear));
+        let shear = format!("shear force {left} on its left and {right} on its right");
+        let supports = moment.supports.iter().take(MOST_ROWS).map(|force| labels.number(*force)).collect::<Vec<_>>();
+        let supports = if supports.is_empty() { String::new() } else { format!(", supports {}", supports.join(", ")) };
+        let value = labels.number(moment.value);
+        format!("{} {at} {value}, with {shear}{supports}", labels.moment.value(moment.moment))
     };
     let governing = [("largest moment", moment(moment_max)), ("least moment", moment(moment_min))];
     let mut text = String::from("\nEnvelope\n") + &list(&governing);

@@ -4,6 +4,7 @@ use palkki::certificate::Certificate;
 use palkki::route::Status;
 use palkki::state::{Contact, Extremes, Motion, Nodes, Pressure, Standing, SupportForce, Touch};
 use palkki::text::{magnitude, magnitude_at_most};
+use palkki::theory::FreeSpan;
 
 use super::answer::{Answer, Grids};
 use super::given::given;
@@ -90,6 +91,11 @@ pub(super) fn solve(input: &Input, answer: &Answer, nodes: bool) -> String {
     text += &contacts(&answer.solution.state.contacts, &labels);
     text += &touches(&answer.solution.state.touches, &labels);
     text += &extremes(answer, &labels);
+    if let Some(exact) = &answer.solution.exact
+        && 1 < answer.solution.state.touched().len()
+    {
+        text += &spans(&exact.free_spans(answer.length), &labels);
+    }
     if let Some(certificate) = &answer.solution.verdict.certificate {
         text += &others(certificate, &labels);
     }
@@ -264,6 +270,33 @@ fn touches(touches: &[Touch], labels: &Labels) -> String {
     let shown = touches.iter().take(MOST_ROWS).map(place).collect::<Vec<_>>().join(", ");
     let more = if MOST_ROWS < touches.len() { ", and further places" } else { "" };
     format!("Without pressing, the beam touches {shown}{more}\n")
+}
+
+/// The stretches between contacts.
+fn spans(spans: &[FreeSpan], labels: &Labels) -> String {
+    let row = |span: &FreeSpan| -> Row {
+        let &FreeSpan { from, to, clearance, moment } = span;
+        let (clearance, at) = clearance.map_or((f64::INFINITY, f64::INFINITY), |c| (c.max, c.max_at));
+        let numbers = [from, to, to - from, clearance, at, moment.max, moment.min];
+        numbers.map(|number| if number.is_finite() { labels.number(number) } else { String::new() }).to_vec()
+    };
+    let [length, moment] = [&labels.length, &labels.moment];
+    let header = [
+        length.name("from"),
+        length.name("to"),
+        length.name("length"),
+        length.name("largest clearance"),
+        length.name("at"),
+        moment.name("largest moment"),
+        moment.name("least moment"),
+    ];
+    let shown = spans.len().min(MOST_ROWS);
+    let rows: Vec<Row> = spans.iter().take(shown).map(row).collect();
+    if rows.is_empty() {
+        String::new()
+    } else {
+        table("Free spans", &header, &rows) + &first("spans", spans.len(), shown)
+    }
 }
 
 fn extremes(answer: &Answer, labels: &Labels) -> String {

@@ -38,7 +38,7 @@ pub fn envelope(scene: &Scene, vary: &str, envelope: &Envelope) -> Result<String
         panel(moments, &envelope.moment_max, &envelope.moment_min),
         panel(shears, &envelope.shear_max, &envelope.shear_min),
     ];
-    let [max, min] = [envelope.governing.moment_max, envelope.governing.moment_min];
+    let [max, min] = [&envelope.governing.moment_max, &envelope.governing.moment_min];
     let said = |moment: f64, at: f64| format!("{} at {}", significant(moment, DIGITS), significant(at, DIGITS));
     let title = format!("Moments between {} and {}", said(min.moment, min.at), said(max.moment, max.at));
     let description =

@@ -42,7 +42,7 @@ pub struct SupportEnvelope {
 }
 
 /// The largest and the least moment.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[expect(missing_docs, reason = "as said above")]
 pub struct Governing {
@@ -50,14 +50,17 @@ pub struct Governing {
     pub moment_min: Moment,
 }
 
-/// A moment, its place, and the value of the number varied.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// A moment, its place, the value of the number varied, and what the beam has besides for that value: the shear force on both sides of the
+/// place, and the force of each support from left to right.
+#[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[expect(missing_docs, reason = "as said above")]
 pub struct Moment {
     pub moment: f64,
     pub at: f64,
     pub value: f64,
+    pub shear: [f64; 2],
+    pub supports: Vec<f64>,
 }
 
 /// Gathers the envelope row by row.
@@ -110,8 +113,9 @@ impl<'a> Gathered<'a> {
         let (sweep, left) = (self.sweep, Cell::new(work));
         let mut govern = Govern::new(sweep, self.rows, &left);
         let moments = [1.0, -1.0].map(|sign| govern.largest(Extreme::Moment { sign }));
-        let [Some(max), Some(min)] = moments else { return (None, 0 < left.get()) };
-        let moment = |found: Largest, sign: f64| Moment { moment: sign * found.size, at: found.at, value: found.value };
+        let [Some(max), Some(min)] = [0, 1].map(|k| moment(sweep, moments[k]?, [1.0, -1.0][k])) else {
+            return (None, 0 < left.get());
+        };
         let supports = (0..sweep.scene.beam().all_supports().len()).filter_map(|index| {
             let [max, min] = [1.0, -1.0].map(|sign| govern.largest(Extreme::Support { index, sign }));
             let (max, min) = (max?, min?);
@@ -128,8 +132,16 @@ impl<'a> Gathered<'a> {
             shear_min: side(&self.shear, 0),
             x: self.x,
             supports,
-            governing: Governing { moment_max: moment(max, 1.0), moment_min: moment(min, -1.0) },
+            governing: Governing { moment_max: max, moment_min: min },
         };
         (Some(envelope), enough)
     }
+}
+
+/// A governing moment with what goes with it.
+fn moment(sweep: &Sweep<'_>, found: Largest, sign: f64) -> Option<Moment> {
+    let (_, exact) = sweep.answer(found.value, &[]).ok()?;
+    let supports = exact.state.supports.iter().map(|support| support.force).collect();
+    let Largest { size, value, at } = found;
+    Some(Moment { moment: sign * size, at, value, shear: exact.shear(at), supports })
 }

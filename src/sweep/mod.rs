@@ -108,10 +108,20 @@ fn from(border: f64, value: f64) -> String {
 pub struct Sweep<'a> {
     scene: &'a Scene,
     quantity: Quantity,
-    /// The numbers that move with it, and what they are in the scene.
-    with: Vec<(Quantity, f64)>,
+    /// The numbers that move with it.
+    with: Vec<Moves>,
     range: [f64; 2],
     steps: usize,
+}
+
+/// A number that moves with the first one.
+#[derive(Debug, Clone, Copy)]
+struct Moves {
+    quantity: Quantity,
+    /// What it is in the scene.
+    number: f64,
+    /// By how much for each unit of the first one: 1 or −1.
+    sign: f64,
 }
 
 /// An answer of a sweep.
@@ -128,25 +138,31 @@ pub struct Row {
 impl<'a> Sweep<'a> {
     /// A sweep over `steps` values from `range[0]` to `range[1]`, both included, of the number with this path
     /// ([`Scene::quantity`]). Of several paths, with commas between them, the first has these values, and the others are changed by the
-    /// same amount as it: an axle keeps its distance from the next.
+    /// same amount as it: an axle keeps its distance from the next. A path after a minus sign is changed by minus the amount, and `[*]` in
+    /// a path stands for each index that there is.
     ///
     /// # Errors
     ///
     /// [`SweepError`], but for values without an answer, which are found on the way.
     pub fn new(scene: &'a Scene, path: &str, range: [f64; 2], steps: usize) -> Result<Self, SweepError> {
-        let mut paths = path.split(',').map(|path| scene.quantity(path.trim()));
-        let quantity = paths.next().unwrap_or_else(|| scene.quantity(path))?;
-        let number = |quantity| scene.number(quantity).unwrap_or_default();
-        let mut with: Vec<(Quantity, f64)> = Vec::new();
-        for other in paths {
-            let other = other?;
-            if other == quantity || with.iter().any(|(known, _)| *known == other) {
+        let (first, others) = path.split_once(',').map_or((path, None), |(first, others)| (first, Some(others)));
+        let first = each(scene, first.trim())?;
+        let [quantity, rest @ ..] = &first[..] else { return Err(scene.quantity(path).map(SweepError::Twice)?) };
+        let quantity = *quantity;
+        let mut all: Vec<(Quantity, f64)> = rest.iter().map(|other| (*other, 1.0)).collect();
+        for other in others.into_iter().flat_map(|others| others.split(',')).map(str::trim) {
+            let (other, sign) = other.strip_prefix('-').map_or((other, 1.0), |path| (path.trim(), -1.0));
+            all.extend(each(scene, other)?.into_iter().map(|other| (other, sign)));
+        }
+        let mut with: Vec<Moves> = Vec::new();
+        for (other, sign) in all {
+            if other == quantity || with.iter().any(|known| known.quantity == other) {
                 return Err(SweepError::Twice(other));
             }
             if other.kind() != quantity.kind() {
                 return Err(SweepError::Units { first: quantity, other });
             }
-            with.push((other, number(other)));
+            with.push(Moves { quantity: other, number: scene.number(other).unwrap_or_default(), sign });
         }
         let [from, to] = range;
         if !(2..=MOST_STEPS).contains(&steps) {
@@ -165,11 +181,15 @@ impl<'a> Sweep<'a> {
         self.quantity
     }
 
-    /// The paths of all numbers that are varied, with commas between them.
+    /// The paths of all numbers that are varied, with commas between them, and a minus sign before those that are changed by minus the
+    /// amount.
     #[must_use]
     pub fn paths(&self) -> String {
-        let paths = std::iter::once(self.quantity).chain(self.with.iter().map(|(other, _)| *other));
-        paths.map(|quantity| quantity.to_string()).collect::<Vec<_>>().join(",")
+        let others = self.with.iter().map(|Moves { quantity, sign, .. }| {
+            let minus = if *sign < 0.0 { "-" } else { "" };
+            format!("{minus}{quantity}")
+        });
+        std::iter::once(self.quantity.to_string()).chain(others).collect::<Vec<_>>().join(",")
     }
 
     /// Its values.
@@ -179,15 +199,24 @@ impl<'a> Sweep<'a> {
         (0..self.steps).map(move |i| if i == last { to } else { from + (to - from) * (i as f64 / last as f64) })
     }
 
-    /// The scene with a value.
+    /// The scene with a value. A point load whose place is beyond the beam is no load: a train comes onto the beam and leaves it.
     ///
     /// # Errors
     ///
     /// Those of [`Scene::with_number`].
     pub fn scene(&self, value: f64) -> Result<Scene, SceneError> {
         let by = value - self.scene.number(self.quantity).unwrap_or_default();
-        let with = self.with.iter().map(|&(other, number)| (other, number + by));
-        self.scene.with_numbers(std::iter::once((self.quantity, value)).chain(with))
+        let with = self.with.iter().map(|moves| (moves.quantity, moves.number + moves.sign * by));
+        let length = self.scene.beam().length();
+        let (beyond, numbers): (Vec<_>, Vec<_>) = std::iter::once((self.quantity, value))
+            .chain(with)
+            .partition(|(quantity, at)| matches!(quantity, Quantity::PointAt(_)) && !(0.0..=length).contains(at));
+        let none = beyond.into_iter().filter_map(|(quantity, _)| match quantity {
+            Quantity::PointAt(i) => Some((Quantity::PointForce(i), 0.0)),
+            _ => None,
+        });
+        // What is no load has no force, whatever it would have.
+        self.scene.with_numbers(numbers.into_iter().chain(none))
     }
 
     /// A walk along the values.
@@ -241,6 +270,37 @@ pub struct Step {
     exact: Exact,
 }
 
+/// What an answer has at a place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct AtPlace {
+    /// Where \[length\].
+    pub x: f64,
+    /// `v`, positive downwards \[length\].
+    pub deflection: f64,
+    /// `v'`.
+    pub slope: f64,
+    /// `M` just left and just right of the place \[force · length\].
+    pub moment: [f64; 2],
+    /// `V = M'` just left and just right of the place \[force\].
+    pub shear: [f64; 2],
+}
+
+impl Step {
+    /// What its answer has at a place of the beam.
+    #[must_use]
+    pub fn at(&self, x: f64) -> AtPlace {
+        let exact = &self.exact;
+        AtPlace {
+            x,
+            deflection: exact.deflection(x),
+            slope: exact.slope(x),
+            moment: exact.moments(x),
+            shear: exact.shear(x),
+        }
+    }
+}
+
 impl Walk<'_> {
     /// The work that its rows have taken.
     #[must_use]
@@ -281,6 +341,16 @@ impl Walk<'_> {
         let has = |value, (): &()| self.sweep.scene(value).and_then(|scene| scene.scaled()).ok().map(drop);
         last((with, ()), without, u32::MAX, |_, _| false, has).0
     }
+}
+
+/// The numbers of a path, in which `[*]` stands for each index that there is.
+fn each(scene: &Scene, path: &str) -> Result<Vec<Quantity>, PathError> {
+    let Some((before, behind)) = path.split_once("[*]") else {
+        return scene.quantity(path).map(|quantity| vec![quantity]);
+    };
+    let of = |i: usize| scene.quantity(&format!("{before}[{i}]{behind}"));
+    let rest = (1..).map_while(|i| of(i).ok());
+    Ok(std::iter::once(of(0)?).chain(rest).collect())
 }
 
 /// The last value with something, and that, between one that has it and one that has not: by so many halvings, fewer where there is no

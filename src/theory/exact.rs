@@ -42,6 +42,8 @@ pub struct Exact {
     pub(super) list: List,
     /// The contacts of the list, whether they press or not.
     pub(super) listed: Vec<Contact>,
+    /// Those of them that do not press, or do in a part of them only.
+    pub(super) idle: Vec<Contact>,
     pub(super) spans: Vec<(usize, Span)>,
     /// Of the nodes of the list, over `EI`; of a support without the load that stands on it.
     pub(super) forces: Vec<f64>,
@@ -72,6 +74,7 @@ impl Exact {
             [0.0, given.length].map(|end| couple(&given, &list, &checked.moments, end) * stiffness * scale.moment());
         let exact = Self {
             listed: state.contacts.clone(),
+            idle: Vec::new(),
             state,
             solved,
             converged,
@@ -178,19 +181,37 @@ impl Exact {
         if let Some(springs) = &self.springs {
             return springs.clearance_extremes([from / length, to / length]).in_units(depth, length);
         }
+        summary::clearance_extremes(&self.given, self.parts_between(from, to).iter()).in_units(depth, length)
+    }
+
+    /// The greatest and the least moment from `from` to `to`, each an end of the beam or of a contact \[force · length\].
+    #[must_use]
+    pub fn moment_extremes(&self, from: f64, to: f64) -> Extremes {
+        let Scale { length, .. } = self.scale;
+        let bent = match &self.springs {
+            Some(springs) => springs.bend_extremes([from / length, to / length]),
+            None => summary::bend_extremes(&self.given, &self.parts_between(from, to)),
+        };
+        bent.in_units(self.stiffness * self.scale.moment(), length)
+    }
+
+    /// The parts of the beam, each in one cell, from `from` to `to`, in the units of the scene.
+    fn parts_between(&self, from: f64, to: f64) -> Vec<Piece> {
+        let [from, to] = [from, to].map(|x| x / self.scale.length);
         let inside = |piece: &Piece| {
-            let middle = 0.5 * (piece.lo + piece.hi) * length;
+            let middle = 0.5 * (piece.lo + piece.hi);
             from <= middle && middle <= to
         };
+        let first = self.pieces.partition_point(|piece| piece.hi < from);
         let mut parts = Vec::new();
-        for piece in &self.pieces {
+        for piece in self.pieces[first..].iter().take_while(|piece| piece.lo <= to) {
             let start = parts.len();
             parts.extend(piece.parts(&self.given).filter(inside));
             if !piece.is_from_the_left() {
                 parts[start..].reverse();
             }
         }
-        summary::clearance_extremes(&self.given, parts.iter()).in_units(depth, length)
+        parts
     }
 
     /// Contact pressure `p = q − EI u''''` inside a zone, zero outside; without concentrated forces \[force / length\].
@@ -226,6 +247,16 @@ impl Exact {
             Slope::Free(_) => None,
         };
         self.list.nodes.iter().filter_map(held).collect()
+    }
+
+    /// The places of its contacts and of the supports that press, and those of its list besides that do not: from these a certificate is
+    /// proven.
+    pub(crate) fn witness(&self) -> Vec<Contact> {
+        let is_in = |c: &Contact| self.idle.iter().any(|idle| idle.from <= c.from && c.to <= idle.to);
+        let mut all: Vec<Contact> = self.state.touched().into_iter().filter(|contact| !is_in(contact)).collect();
+        all.extend_from_slice(&self.idle);
+        all.sort_by(|a, b| a.from.total_cmp(&b.from));
+        all
     }
 
     /// Of ground that gives, the stretches of the beam in the units of [`Scene::scaled`](crate::scene::Scene::scaled): the witness of a

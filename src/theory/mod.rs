@@ -12,7 +12,7 @@
 //! 4. `check`, `forces`, `violation`, `piece`, `bernstein`, `gauss`: all conditions, everywhere and not at samples.
 //! 5. `search`, `repair`, `penetration`, `normal`: what fails its check changes the list; where that ends, the chain gets more samples.
 //!    `close` looks once more at a list that passes; `neutral` has the beams that rest on one place and may turn there.
-//! 6. `solve`, `exact`, `summary`, `touching`: the answer in the units of the scene, and where it lies without pressing; `room`: whether there is memory for it.
+//! 6. `solve`, `exact`, `summary`, `touching`, `free_spans`: the answer in the units of the scene, where it lies without pressing, and where it is free; `room`: whether there is memory for it.
 //! 7. `continuation`, `pattern`, `margin`: from the answer of one scene to that of a scene beside it, and when its pattern changes.
 //! 8. `sensitivity`, `asked`, `derivatives`, `changes`, `conditions`, `spread`: derivatives by the numbers of the scene, and where they are
 //!    one-sided; `missing`: why one is not there.
@@ -34,6 +34,7 @@ mod cosine;
 mod derivatives;
 mod exact;
 mod forces;
+mod free_spans;
 pub(crate) mod gauss;
 mod guess;
 mod list;
@@ -63,6 +64,7 @@ mod violation;
 
 pub use derivatives::{By, ContactDerivative, Derivative, Missing};
 pub use exact::{Exact, Sample};
+pub use free_spans::FreeSpan;
 pub use margin::Condition;
 pub use pattern::{ContactKind, Pattern, ZoneEnd};
 pub use solve::{TheoryError, solve, solve_near};

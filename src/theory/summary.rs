@@ -161,6 +161,20 @@ pub(super) fn clearance_extremes<'a>(
     Extremes::of(values.iter().copied())
 }
 
+/// Extremes of `−v''` over some parts of the beam, from left to right.
+pub(super) fn bend_extremes(given: &PiecewiseScene, parts: &[Piece]) -> Extremes {
+    let mut taylor = vec![0.0; given.terms];
+    let mut values = Vec::new();
+    for piece in parts {
+        piece.deflection(given, &mut taylor);
+        piece.outwards(&mut taylor);
+        let bend = differentiated(differentiated(&mut taylor));
+        bend.iter_mut().for_each(|c| *c = 0.0 - *c);
+        add_extremes(piece, bend, [f64::INFINITY, f64::NEG_INFINITY], &mut values);
+    }
+    Extremes::of(values.iter().copied())
+}
+
 /// The values of `Σ c_j s^j` at both ends of a piece, and where its derivative vanishes if it may leave `[least, most]`
 /// there; in order from left to right, with their places.
 pub(super) fn add_extremes(piece: &Piece, c: &[f64], [least, most]: [f64; 2], values: &mut Vec<(f64, f64)>) {

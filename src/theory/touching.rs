@@ -21,6 +21,12 @@ impl Exact {
         let pressing = self.contacts_by_kind();
         let ground = pressing.iter().filter(|(kind, _)| !matches!(kind, ContactKind::Bearing(_)));
         self.state.contacts = ground.map(|(_, contact)| *contact).collect();
+        let contacts = &self.state.contacts;
+        let presses = |listed: &&Contact| {
+            let first = contacts.partition_point(|contact| contact.from < listed.from);
+            contacts[first..].iter().take_while(|contact| contact.from <= listed.from).any(|contact| contact == *listed)
+        };
+        self.idle = self.listed.iter().filter(|listed| !presses(listed)).copied().collect();
         self.state.regime = Regime::of(&self.state.contacts);
         let pressed: Vec<Contact> = pressing.into_iter().map(|(_, contact)| contact).collect();
         self.state.touches = self.touches(&pressed, nothing);

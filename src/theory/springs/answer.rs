@@ -68,13 +68,22 @@ impl Springs {
     }
 
     /// Extremes of the clearance on the parts whose middle lies between two places.
-    pub(in crate::theory) fn clearance_extremes(&self, [from, to]: [f64; 2]) -> Extremes {
-        let inside = |part: &&Part| {
+    pub(in crate::theory) fn clearance_extremes(&self, ends: [f64; 2]) -> Extremes {
+        extremes(self.between(ends), |part: &Part| part.penetration.iter().map(|c| -c).collect())
+    }
+
+    /// Extremes of `−v''` on the same.
+    pub(in crate::theory) fn bend_extremes(&self, ends: [f64; 2]) -> Extremes {
+        extremes(self.between(ends), bend)
+    }
+
+    /// The parts whose middle lies between two places.
+    fn between(&self, [from, to]: [f64; 2]) -> impl Iterator<Item = &Part> {
+        let first = self.parts.partition_point(|part| part.piece.hi < from);
+        self.parts[first..].iter().take_while(move |part| part.piece.lo <= to).filter(move |part| {
             let middle = 0.5 * (part.piece.lo + part.piece.hi);
             from <= middle && middle <= to
-        };
-        let clearance = |part: &Part| part.penetration.iter().map(|c| -c).collect();
-        extremes(self.parts.iter().filter(inside), clearance)
+        })
     }
 }
 
@@ -87,6 +96,11 @@ fn extremes<'a>(parts: impl Iterator<Item = &'a Part>, of: impl Fn(&Part) -> Vec
         add_extremes(&part.piece, &taylor, [f64::INFINITY, f64::NEG_INFINITY], &mut values);
     }
     Extremes::of(values.iter().copied())
+}
+
+/// Taylor coefficients of `−v''`.
+fn bend(part: &Part) -> Vec<f64> {
+    second(&part.deflection).iter().map(|c| 0.0 - c).collect()
 }
 
 fn second(taylor: &[f64]) -> Vec<f64> {
@@ -133,6 +147,7 @@ pub(in crate::theory) fn exact(scaled: &Scaled, given: PiecewiseScene, stiffness
         violations: if state.is_finite() { Vec::new() } else { vec![Violation::Overflow] },
         support_couples: [0.0; 2],
         listed: state.contacts.clone(),
+        idle: Vec::new(),
         state,
         springs: Some(functions),
         list: List { nodes: Vec::new() },
@@ -178,7 +193,7 @@ fn state(
         Contact { from, to, force: springs * sunk * stiffness, end_forces: None }
     };
     let contacts: Vec<Contact> = stretches.iter().map(contact).collect();
-    let bent = extremes(parts.iter(), |part| second(&part.deflection).iter().map(|c| -c).collect());
+    let bent = extremes(parts.iter(), bend);
     let sunk = extremes(parts.iter().filter(|part| part.pressed), |part| part.penetration.clone());
     ContactState {
         regime: Regime::of(&contacts),

@@ -59,7 +59,7 @@ fn drawn(i: u64) -> (Scene, String, [f64; 2]) {
 
 /// The governing moments and forces of supports, greatest and least in turn, with their values.
 fn governing(envelope: &Envelope) -> Vec<[f64; 2]> {
-    let moments = [envelope.governing.moment_max, envelope.governing.moment_min].map(|m| [m.moment, m.value]);
+    let moments = [&envelope.governing.moment_max, &envelope.governing.moment_min].map(|m| [m.moment, m.value]);
     let supports = envelope.supports.iter().flat_map(|s| [[s.max, s.max_value], [s.min, s.min_value]]);
     moments.into_iter().chain(supports).collect()
 }

@@ -6,6 +6,7 @@ mod events;
 mod family;
 mod govern;
 mod rows;
+mod trains;
 
 use palkki::scene::{Foundation, Load, PointLoad, Scene, Support};
 use palkki::sweep::{Event, Sweep};

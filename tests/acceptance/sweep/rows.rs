@@ -66,7 +66,7 @@ fn ranges_that_leave_what_is_valid_say_where() {
         Err(SweepError::Invalid { border, error, .. }) => (border, error.to_string()),
         other => panic!("{path}: {other:?}"),
     };
-    let (border, message) = invalid("load.point[0].at", 1.0, 12.0);
+    let (border, message) = invalid("beam.supports[2].at", 8.0, 12.0);
     assert!((border - 10.0).abs() < 1e-14 && message.contains("must lie on the beam"), "{border} {message}");
     let (border, message) = invalid("foundation.depth", 1.0, -1.0);
     assert!(border.abs() < 1e-14 && message.contains("above a support"), "{border} {message}");

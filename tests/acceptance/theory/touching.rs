@@ -133,3 +133,32 @@ fn nothing_flickers_from_row_to_row() {
         }
     }
 }
+
+/// Of the paper's example the spans beside the zone are `a = (24 EI u₀/q)^¼` long, with a largest moment of `q a²/8`; the clearance is
+/// largest at the support. With a contact at a point, or on ground that gives, the spans reach from contact to contact as well.
+#[test]
+fn free_spans_lie_between_the_contacts() {
+    let (length, stiffness, depth, load) = (10.0, 1.3, 1.0, 1.0);
+    let beam = Beam::new(length, stiffness).expect("a beam");
+    let uniform = Load::uniform_on(&beam, load).expect("a load");
+    let scene = Scene::new(beam, uniform, Some(Foundation::Flat { depth })).expect("a scene");
+    let a = (24.0 * stiffness * depth / load).powf(0.25);
+    let exact = palkki::theory::solve(&scene).expect("an answer");
+    let spans = exact.free_spans(length);
+    let [left, right] = spans[..] else { panic!("{spans:?}") };
+    for (span, [from, to], support) in [(left, [0.0, a], 0.0), (right, [length - a, length], length)] {
+        let clearance = span.clearance.expect("there is ground");
+        assert!(near(span.from, from) && near(span.to, to), "{span:?}");
+        assert!(near(clearance.max, depth) && near(clearance.max_at, support) && near(clearance.min, 0.0), "{span:?}");
+        assert!(near(span.moment.max, load * a * a / 8.0) && near(span.moment.min, 0.0), "{span:?}");
+    }
+    for scene in [scene.with_ground_moved(30.0), scene.on_springs(100.0)].map(|scene| scene.expect("a scene")) {
+        let exact = palkki::theory::solve(&scene).expect("an answer");
+        let spans = exact.free_spans(length);
+        let [left, right] = spans[..] else { panic!("{spans:?}") };
+        let contact = exact.state.contacts[0];
+        assert!(near(left.to, contact.from) && near(right.from, contact.to), "{spans:?}");
+        let sampled = (0..=1000).map(|k| exact.moment(left.to * f64::from(k) / 1000.0)).fold(0.0, f64::max);
+        assert!((left.moment.max - sampled).abs() <= 1e-5 * sampled && sampled <= left.moment.max + 1e-12, "{spans:?}");
+    }
+}

@@ -69,7 +69,7 @@ pub(super) fn settled_foundations() -> Claim {
     let free = answer.x.iter().map(|x| 0.0 < *x);
     let proof = prove(&body, free).expect("a slab is positive definite");
     let [clearance, force] = body.clearance_and_force(&answer);
-    let off = proof.off(clearance).share;
+    let off = proof.off(&clearance).share;
     let touching = force.iter().filter(|force| 0.0 < **force).count();
     assert!(0 < touching && touching < force.len(), "{touching} of {} nodes touch", force.len());
     let numbers = json!({ "nodes": force.len(), "touching": touching, "error": off.max(f64::EPSILON) });
