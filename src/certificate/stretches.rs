@@ -10,10 +10,14 @@ const CELLS_IN_A_LENGTH: f64 = 8.0;
 /// A stretch that is longer is deep in a zone, and its polynomial is known to the last coefficient.
 const MOST_LENGTHS: f64 = 2.0;
 
-/// Cells of a short stretch: a beam that ground holds at its end is held by those on which it is sunk all over.
-const FEWEST: f64 = 3.0;
+/// Cells of a short stretch at most, and of all short stretches together where there are many. A beam that the ground holds in one stretch
+/// is held by two of its cells that are apart and on which it is sunk all over.
+const FEWEST: [f64; 2] = [6.0, 24.0];
 
-/// A stretch that hangs over so small a share of the beam is taken for pressed with the one beside it: shears over it are rounding.
+/// A stretch shorter than this share of all that presses is not cut into several cells.
+const SHORTEST: f64 = 1e-3;
+
+/// What hangs over a smaller share of the beam may be taken for pressed together with the stretch beside it.
 const SHORT: f64 = 1e-5;
 
 /// The stretches of a scene in dimensionless numbers, cut where ground or load have a break and into short cells; what hangs is one
@@ -21,11 +25,19 @@ const SHORT: f64 = 1e-5;
 pub(super) fn cut(enclosed: &EnclosedScene<'_>, ground: f64, given: &[Stretch]) -> Vec<Stretch> {
     let mut cut = Vec::new();
     let length = (0.25 * ground / enclosed.stiffness).sqrt().sqrt().recip();
-    for stretch in joined(enclosed, length, given) {
+    let joined = joined(enclosed, length, ground, given);
+    let widths = joined.iter().filter(|s| !s.sunk.is_empty()).map(|s| s.to - s.from);
+    let [together, count] = widths.fold([0.0, 0.0], |[sum, count], width| [sum + width, count + 1.0]);
+    let fewest = (FEWEST[1] / count).clamp(1.0, FEWEST[0]);
+    for stretch in joined {
+        let width = stretch.to - stretch.from;
         if stretch.sunk.is_empty() {
             cut.push(stretch);
+        } else if width <= MOST_LENGTHS * length {
+            let most = (width / fewest).max(SHORTEST * together).min(length / CELLS_IN_A_LENGTH);
+            cells(enclosed, most, &stretch, &mut cut);
         } else {
-            cells(enclosed, length, &stretch, &mut cut);
+            cells(enclosed, width, &stretch, &mut cut);
         }
     }
     // From derivatives to moment and shear.
@@ -39,40 +51,61 @@ pub(super) fn cut(enclosed: &EnclosedScene<'_>, ground: f64, given: &[Stretch]) 
     cut
 }
 
-/// With what hangs in one, and without what hangs over next to nothing.
-fn joined(enclosed: &EnclosedScene<'_>, length: f64, given: &[Stretch]) -> Vec<Stretch> {
-    let mut hanging: Vec<Stretch> = Vec::new();
+/// What hangs between two supports or pressed stretches as one stretch.
+fn spans(enclosed: &EnclosedScene<'_>, given: &[Stretch]) -> Vec<Stretch> {
+    let mut spans: Vec<Stretch> = Vec::new();
     for stretch in given {
-        match hanging.last_mut() {
-            Some(last)
-                if last.sunk.is_empty() && stretch.sunk.is_empty() && enclosed.support(stretch.from).is_none() =>
-            {
+        let hang = |last: &Stretch| last.sunk.is_empty() && stretch.sunk.is_empty();
+        match spans.last_mut() {
+            Some(last) if hang(last) && enclosed.support(stretch.from).is_none() => {
                 (last.to, last.ends[1]) = (stretch.to, stretch.ends[1]);
             }
-            _ => hanging.push(stretch.clone()),
+            _ => spans.push(stretch.clone()),
         }
     }
+    spans
+}
+
+/// With what hangs in one, and without what hangs over next to nothing.
+fn joined(enclosed: &EnclosedScene<'_>, length: f64, ground: f64, given: &[Stretch]) -> Vec<Stretch> {
     let mut joined: Vec<Stretch> = Vec::new();
-    let mut stretches = hanging.into_iter().peekable();
+    let mut stretches = spans(enclosed, given).into_iter().peekable();
     while let Some(stretch) = stretches.next() {
-        let is_short = stretch.sunk.is_empty() && stretch.to - stretch.from <= SHORT * enclosed.length;
-        let end = |side: usize, x: f64| {
-            let (v, gap) = (stretch.ends[side], enclosed.gap.jet(x, side == 1));
+        let sunk = [(stretch.from, false), (stretch.to, true)].map(|(x, left)| {
+            let (v, gap) = (stretch.ends[usize::from(left)], enclosed.gap.jet(x, left));
             [0, 1, 2, 3].map(|j| v[j] - gap[j].middle())
-        };
-        let smooth = |x: f64| is_smooth(enclosed, x);
-        if let Some(last) = joined.last_mut().filter(|last| is_short && !last.sunk.is_empty() && smooth(stretch.from)) {
-            (last.to, last.ends[1]) = (stretch.to, end(1, stretch.to));
-        } else if let Some(next) =
-            stretches.peek_mut().filter(|next| is_short && !next.sunk.is_empty() && smooth(stretch.to))
-        {
+        });
+        let joins = is_negligible(enclosed, ground, &stretch, sunk.map(|w| w[0]));
+        let with = |beside: &Stretch, x: f64| joins && !beside.sunk.is_empty() && is_smooth(enclosed, x);
+        if let Some(last) = joined.last_mut().filter(|last| with(last, stretch.from)) {
+            (last.to, last.ends[1]) = (stretch.to, sunk[1]);
+        } else if let Some(next) = stretches.peek_mut().filter(|next| with(next, stretch.to)) {
             next.sunk = shifted(&next.sunk, stretch.from - next.from);
-            (next.from, next.ends[0]) = (stretch.from, end(0, stretch.from));
+            (next.from, next.ends[0]) = (stretch.from, sunk[0]);
         } else {
             joined.push(stretch);
         }
     }
     without_slivers(enclosed, length, joined)
+}
+
+/// Whether a stretch that hangs may be taken for pressed: it is short, ground and load have one formula all over it, and the tension that
+/// this cuts off costs less than the rounding of its curvature does, a difference of two given depths or slopes over its width.
+fn is_negligible(enclosed: &EnclosedScene<'_>, ground: f64, stretch: &Stretch, sunk: [f64; 2]) -> bool {
+    let width = stretch.to - stretch.from;
+    let one_formula = || {
+        enclosed.gap.is_smooth_between(stretch.from, stretch.to)
+            && enclosed.load.breaks(stretch.from, stretch.to).is_empty()
+    };
+    if !stretch.sunk.is_empty() || SHORT * enclosed.length < width || !one_formula() {
+        return false;
+    }
+    let most = |of: [f64; 2]| of[0].abs().max(of[1].abs());
+    let rounding = |derivative: usize| f64::EPSILON * most(stretch.ends.map(|end| end[derivative]));
+    // At a support the kernel knows the depth, elsewhere what the ground rises by.
+    let is_held = [stretch.from, stretch.to].iter().any(|x| enclosed.support(*x).is_some());
+    let bent = 6.0 / width * if is_held { rounding(0) / width } else { rounding(1) };
+    ground * most(sunk) * most(sunk) <= enclosed.stiffness * bent * bent
 }
 
 /// True where neither ground nor load nor a support makes a difference between the two sides.
@@ -108,14 +141,10 @@ fn without_slivers(enclosed: &EnclosedScene<'_>, length: f64, stretches: Vec<Str
     whole
 }
 
-/// A pressed stretch by short cells.
-fn cells(enclosed: &EnclosedScene<'_>, length: f64, stretch: &Stretch, cut: &mut Vec<Stretch>) {
+/// A pressed stretch by cells of at most this width.
+fn cells(enclosed: &EnclosedScene<'_>, most: f64, stretch: &Stretch, cut: &mut Vec<Stretch>) {
     let (from, to) = (stretch.from, stretch.to);
-    let most = if to - from <= MOST_LENGTHS * length {
-        (length / CELLS_IN_A_LENGTH).min((to - from) / FEWEST)
-    } else {
-        to - from
-    };
+    let most = most.min(to - from);
     let (breaks, loads) = (enclosed.gap.breaks(from, to), enclosed.load.breaks(from, to));
     let (smooth, mut ends): (Vec<f64>, Vec<f64>) = breaks.into_iter().partition(|x| enclosed.gap.is_smooth_at(*x));
     // As many cells as a smooth profile has, and no other ends of its.

@@ -140,19 +140,25 @@ impl EnclosedScene<'_> {
     /// `v₁ − v₀ − θ₀ L` between two contacts, from what the gap rises by on each cell, so that rounding is that of slopes, and not that of
     /// depths; [`None`] across a step.
     pub(crate) fn rise(&self, left: Option<&ContactNode>, right: Option<&ContactNode>) -> Option<Interval> {
+        let on_ground = |node: &&ContactNode| self.support(node.x).is_none();
+        let (node, to) = (left.filter(on_ground)?, right.filter(on_ground)?.x);
+        let risen = self.risen([node.x, to], self.end(node)[1]);
+        risen.filter(|_| self.gap.is_continuous_at(node.x) && self.gap.is_continuous_at(to))
+    }
+
+    /// `g₁ − g₀ − θ L` between two places, each on its inner side, from what the gap rises by on each cell; [`None`] across a step.
+    pub(crate) fn risen(&self, [from, to]: [f64; 2], slope: Interval) -> Option<Interval> {
         /// Of more lines the sum is no better known: *tuned* on smooth surveys of up to 10⁶ points. Cells of a curve take time: *tuned* on
         /// the scene of three waves, which takes 3 % more instructions than without.
         const MOST: [usize; 2] = [256, 4];
-        let on_ground = |node: &&ContactNode| self.support(node.x).is_none();
-        let (node, to) = (left.filter(on_ground)?, right.filter(on_ground)?.x);
-        let (slope, cells) = (self.end(node)[1], cells(node.x, to, self.gap.breaks(node.x, to)));
+        let cells = cells(from, to, self.gap.breaks(from, to));
         let rises = |sum: Interval, &[a, b]: &[f64; 2]| {
             let line = self.gap.about(a, [a, b]);
-            let is_known =
-                self.gap.is_continuous_at(b) && cells.len() <= MOST[usize::from(2 < line.coefficients().len())];
+            let is_continuous = to <= b || self.gap.is_continuous_at(b);
+            let is_known = is_continuous && cells.len() <= MOST[usize::from(2 < line.coefficients().len())];
             is_known.then(|| sum + Interval::length(a, b) * (line.divided(1).at(Interval::length(a, b)) - slope))
         };
-        cells.iter().try_fold(Interval::ZERO, rises).filter(|_| self.gap.is_continuous_at(node.x))
+        cells.iter().try_fold(Interval::ZERO, rises)
     }
 }
 

@@ -5,7 +5,7 @@
 //! | intervals and polynomials with interval coefficients | `interval`, `polynomial` |
 //! | enclosure of the scene: foundation, gap, load, and what is zero but for rounding | `foundation`, `gap`, `load`; `scene::pieces` |
 //! | from contact nodes to a proven pair: spans, clearances, forces that press, gap | `contact_node`, `span`, `proof`, `clearance`, `pressing`, `held` |
-//! | the same on ground that gives | `springs` |
+//! | the same on ground that gives; along short stretches, and what holds the beam near by | `springs`; `walks`, `groups` |
 //! | from the gap to the error of a deflection | `reference`, `distance` |
 //!
 //! It asks for nothing outside but a scene, and bounds the error of any deflection that is a polynomial on each of some cells.

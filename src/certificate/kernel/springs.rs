@@ -14,10 +14,16 @@
 //! v̂ = g + t + δ,    M = ∬(k t − q) + r,    p = M'' + q = k t + r'':    k w − p = k δ − r''
 //! ```
 //!
+//! Over a stretch far shorter than `(4 EI/k)^¼`, `δ` is a line and only one end is given (`walks`).
+//!
 //! Neither that `w ≥ 0` here nor that `w ≤ 0` elsewhere has to be proven. What pulls is cut off: from a beam that its supports do
 //! not hold a share `t` of the pressure on two parts, which costs `t √(∫p²/k)`. Of such a part `I` on which `w > e = √(2 gap/k|I|)` a
-//! place has `|v̂ − v*| ≤ e`.
+//! place has `|v̂ − v*| ≤ e`, and so do groups of parts (`groups`).
 
+mod groups;
+mod walks;
+
+use self::walks::{Reached, Walk};
 use super::contact_node::EnclosedScene;
 use super::held::lines;
 use super::interval::Interval;
@@ -48,6 +54,8 @@ struct OnSprings<'a> {
     enclosed: &'a EnclosedScene<'a>,
     k: Interval,
     stretches: &'a [Stretch],
+    /// For each node what was walked to there; empty before.
+    reached: Vec<Option<Reached>>,
 }
 
 /// A pressed part, its least penetration, and what a share of its pressure costs: that share of `√(∫p²/k)`.
@@ -71,11 +79,12 @@ struct Sums {
     energy: Interval,
 }
 
-/// The cubic that has given values and slopes at `0` and `w`, less those of a polynomial.
-fn cubic(ends: [[Interval; 2]; 2], less: &Polynomial, w: Interval) -> Polynomial {
+/// The cubic that has given values and slopes at `0` and `w`, less those of a polynomial; with a mean slope `a` that is known in another
+/// way than as a quotient.
+fn cubic(ends: [[Interval; 2]; 2], less: &Polynomial, w: Interval, mean: Option<Interval>) -> Polynomial {
     let off = |k: usize, s: Interval| [ends[k][0] - less.at(s), ends[k][1] - less.derivative().at(s)];
     let ([y0, d0], [y1, d1]) = (off(0, Interval::ZERO), off(1, w));
-    let a = (y1 - y0) / w;
+    let a = mean.unwrap_or_else(|| (y1 - y0) / w);
     Polynomial::new(&[y0, d0, (number(3) * a - number(2) * d0 - d1) / w, (d0 + d1 - number(2) * a) / (w * w)])
 }
 
@@ -92,14 +101,24 @@ impl OnSprings<'_> {
         self.beside(node, left).is_some_and(|stretch| !stretch.sunk.is_empty())
     }
 
-    /// `w` and `w'` at a node on one of its sides: as is said on its right side, or on its left one if ground presses only there, or as
-    /// the support holds it. [`None`] where no ground presses beside it.
+    /// `w` and `w'` at a node on one of its sides: as is said on its right side, or on its left one if ground presses only there, as
+    /// was walked to, or as the support holds it. [`None`] where no ground presses beside it.
     fn sunk(&self, node: usize, left: bool) -> Option<[Interval; 2]> {
         let own = [false, true].into_iter().find(|side| self.is_pressed(node, *side))?;
-        let [gap, there] = [left, own].map(|side| self.enclosed.gap.jet(self.x(node), side));
-        let is_one = own == left || self.enclosed.gap.is_smooth_at(self.x(node));
-        let jump = [0, 1].map(|j| if is_one { Interval::ZERO } else { there[j] - gap[j] });
-        let free = [self.said(node, own, 0)? + jump[0], self.said(node, own, 1)? + jump[1]];
+        let gap = self.enclosed.gap.jet(self.x(node), left);
+        let is_smooth = self.enclosed.gap.is_smooth_at(self.x(node));
+        let jump = |from: bool, j: usize| {
+            if from == left || is_smooth {
+                Interval::ZERO
+            } else {
+                self.enclosed.gap.jet(self.x(node), from)[j] - gap[j]
+            }
+        };
+        let (side, [w, slope]) = match self.reached.get(node).copied().flatten() {
+            Some(reached) => reached,
+            None => (own, [self.said(node, own, 0)?, self.said(node, own, 1)?]),
+        };
+        let free = [w + jump(side, 0), slope + jump(side, 1)];
         let Some(support) = self.enclosed.support(self.x(node)) else { return Some(free) };
         Some([support.deflection - gap[0], support.slope.map_or(free[1], |slope| slope - gap[1])])
     }
@@ -128,6 +147,32 @@ impl OnSprings<'_> {
         let is_one = |s: &Stretch| s.from < s.to && (s.sunk.is_empty() || one_gap(s) && one_load(s));
         let whole = chained && self.x(0).abs() <= 0.0 && last && stretches.iter().all(is_one);
         whole && (1..stretches.len()).all(|i| self.end(i).is_some())
+    }
+
+    /// `(4 EI/k)^¼`.
+    fn length(&self) -> Interval {
+        (number(4) * Interval::exact(self.enclosed.stiffness) / self.k).sqrt().sqrt()
+    }
+
+    /// The width of a pressed stretch, and its `t`.
+    fn polynomial(&self, i: usize) -> (Interval, Polynomial) {
+        let Stretch { from, to, ref sunk, .. } = self.stretches[i];
+        (Interval::length(from, to), Polynomial::of(sunk.iter().map(|&c| Interval::exact(c))))
+    }
+
+    /// `∬(k t − q)` of a pressed stretch.
+    fn caused(&self, i: usize, t: &Polynomial) -> Polynomial {
+        let Stretch { from, to, .. } = self.stretches[i];
+        let load = Polynomial::new(&self.enclosed.load.line(from, [from, to]));
+        t.times(self.k).minus(&load).integral().integral()
+    }
+
+    /// `v₁ − v₀ − θ₀ L` of what hangs between two places at which ground presses: from what the gap rises by.
+    fn rise(&self, i: usize) -> Option<Interval> {
+        let is_free = |node: usize| self.enclosed.support(self.x(node)).is_none();
+        let [left, right] = [self.sunk(i, false)?, self.sunk(i + 1, true)?];
+        let risen = self.enclosed.risen([self.x(i), self.x(i + 1)], self.end(i)?[1]);
+        Some(risen? + (right[0] - left[0])).filter(|_| is_free(i) && is_free(i + 1))
     }
 
     /// `M` at the inner end of an overhang, by statics.
@@ -185,16 +230,16 @@ impl OnSprings<'_> {
     }
 
     /// Adds a stretch on which ground presses, with moment and shear at its two ends; [`None`] if it cannot.
-    fn press(&self, i: usize, held: [[Interval; 2]; 2], sums: &mut Sums) -> Option<()> {
+    fn press(&self, i: usize, held: [[Interval; 2]; 2], walks: [Option<Walk>; 2], sums: &mut Sums) -> Option<()> {
         let (k, stiffness) = (self.k, Interval::exact(self.enclosed.stiffness));
-        let Stretch { from, to, ref sunk, .. } = self.stretches[i];
-        let (ends, width) = ([from, to], Interval::length(from, to));
-        let t = Polynomial::of(sunk.iter().map(|&c| Interval::exact(c)));
-        let load = Polynomial::new(&self.enclosed.load.line(from, ends));
-        let delta = cubic([self.sunk(i, false)?, self.sunk(i + 1, true)?], &t, width);
-        // ∬(k t − q), and r.
-        let caused = t.times(k).minus(&load).integral().integral();
-        let r = cubic(held, &caused, width);
+        let Stretch { from, to, .. } = self.stretches[i];
+        let (ends, (width, t)) = ([from, to], self.polynomial(i));
+        let [sinks, bends] = walks.map(|walk| walk.map(|walk| walk.slope));
+        let (left, right) = (self.sunk(i, false)?, self.sunk(i + 1, true)?);
+        let line = |slope: Interval| Polynomial::new(&[left[0] - t.at(Interval::ZERO), slope]);
+        let delta = sinks.map_or_else(|| cubic([left, right], &t, width, None), line);
+        let caused = self.caused(i, &t);
+        let r = cubic(held, &caused, width, bends);
         let (w, turn) = (t.plus(&delta), r.derivative().derivative());
         let (v, p) = (self.enclosed.gap.about(from, ends).plus(&w), t.times(k).plus(&turn));
         let bending = v.derivative().derivative().times(stiffness).plus(&caused).plus(&r);
@@ -232,7 +277,7 @@ impl OnSprings<'_> {
         let gap = ((sums.square.sqrt() + moment + cut + changed).square() / number(2)).hi();
         let known = |place: &Datum| {
             let Some(Carrier { sunk, .. }) = carrier(place) else { return Some(*place) };
-            let off = (number(2) * Interval::exact(gap) / (k * Interval::length(place.from, place.to))).sqrt().hi();
+            let off = self.uncertainty(gap, Interval::length(place.from, place.to));
             (off < *sunk && share.hi() < place.presses).then_some(Datum { uncertainty: off, ..*place })
         };
         let lines = lines.iter().map(|Line(left, right)| Some(Line(known(left)?, known(right)?)));
@@ -243,24 +288,31 @@ impl OnSprings<'_> {
 
 /// The pair of some stretches on ground of a stiffness, if there is one.
 pub(crate) fn pair(enclosed: &EnclosedScene<'_>, ground: f64, stretches: &[Stretch]) -> Option<Pair> {
-    let (on, n) = (OnSprings { enclosed, k: Interval::exact(ground), stretches }, stretches.len());
+    let (k, n) = (Interval::exact(ground), stretches.len());
+    let mut on = OnSprings { enclosed, k, stretches, reached: Vec::new() };
     let nodes = enclosed.supports.iter().map(|s| (0..=n).find(|node| (on.x(*node) - s.x).abs() <= 0.0));
     let nodes: Vec<usize> = nodes.collect::<Option<_>>().filter(|_| on.is_complete())?;
-    let hangs = |i: usize| Span::new(enclosed, [on.x(i), on.x(i + 1)], [on.end(i), on.end(i + 1)], None);
+    let sinks = on.walk();
+    let hangs = |i: usize| Span::new(enclosed, [on.x(i), on.x(i + 1)], [on.end(i), on.end(i + 1)], on.rise(i));
     let spans: Vec<Option<Span>> = (0..n).map(|i| (!on.is_pressed(i, false)).then(|| hangs(i))).collect();
-    let moments: Vec<_> = (0..=n).map(|node| on.moments(&spans, node)).collect();
+    let mut moments: Vec<_> = (0..=n).map(|node| on.moments(&spans, node)).collect();
+    let bends = on.walk_moments(&spans, &mut moments);
     let shears: Vec<_> = (0..=n).map(|node| on.shears(&spans, &moments, node)).collect();
     let mut sums = Sums::default();
     for (i, span) in spans.iter().enumerate() {
         let held = [(i, 1), (i + 1, 0)].map(|(node, side)| [moments[node][side], shears[node][side]]);
         match span {
             Some(span) => on.hang(i, span, held.map(|[moment, _]| moment), &mut sums),
-            None => on.press(i, held, &mut sums)?,
+            None => on.press(i, held, [sinks[i], bends[i]], &mut sums)?,
         }
     }
     let (gap, share, lines) = on.held(&sums)?;
     let force = |&node: &usize| shears[node][1] - shears[node][0] + enclosed.load.point(on.x(node));
     let carried = nodes.iter().map(|node| (on.x(*node), force(node) + Interval::around_zero(share.hi()))).collect();
+    let zones = on.held_by_groups(&sums.carriers, gap);
     let (pieces, ground) = (sums.pieces, Some(sums.energy / number(2)));
-    Some(Pair { pieces, gap, carried, lines, zones: Vec::new(), turns_about: None, lifted: 0.0, ground })
+    Some(Pair { pieces, gap, carried, lines, zones, turns_about: None, lifted: 0.0, ground })
 }
+
+#[cfg(test)]
+mod tests;

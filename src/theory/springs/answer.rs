@@ -171,7 +171,8 @@ fn state(
         (0..given.supports.len()).map(|i| support(given, parts, i, stiffness)).chain(lifted).collect();
     supports.sort_by(|a, b| a.at.total_cmp(&b.at));
     let contact = |&[from, to]: &[f64; 2]| {
-        let inside = parts.iter().filter(|part| part.pressed && from <= part.piece.lo && part.piece.hi <= to);
+        let first = parts.partition_point(|part| part.piece.lo < from);
+        let inside = parts[first..].iter().take_while(|part| part.piece.hi <= to).filter(|part| part.pressed);
         let sunk: f64 = inside.map(|part| integral(&part.penetration, part.piece.width())).sum();
         Contact { from, to, force: springs * sunk * stiffness, end_forces: None }
     };

@@ -38,7 +38,7 @@ fn exchange(given: &PiecewiseScene, springs: f64, all: bool, work: &mut Work) ->
         let held = holding(given, &presses);
         let found = search(&held, springs, work)?;
         let wrong: Vec<usize> = wrong(&held, &found.parts, &presses);
-        if wrong.is_empty() || !found.settled || work.is_done() {
+        if wrong.is_empty() || !found.settled || work.is_done(given) {
             let settled = found.settled && wrong.is_empty();
             return Some((held, StretchSet { settled, ..found }));
         }

@@ -7,6 +7,7 @@ mod borders;
 mod clearance;
 mod closed;
 mod crests;
+mod elastic;
 mod explain;
 mod level;
 mod long;

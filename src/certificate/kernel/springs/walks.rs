@@ -1,0 +1,120 @@
+//! Short pressed stretches of a beam on an elastic foundation. Only one of their ends is given, and the pair is continued to the other one.
+//!
+//! A cubic through given values at both ends divides the rounding of these values by the square of the width `w`. Over a stretch far
+//! shorter than `(4 EI/k)^¼` this would be the largest part of the gap. With `t`, the given polynomial, and `c = ∬(k t − q)` take instead
+//!
+//! ```text
+//! δ(s) = δ(0) + a s,    a = w'(0) − t'(0),       hence    w(w) = w(0) + (t(w) − t(0)) + a w,      w'(w) = t'(w) + a
+//! r    = the cubic with the shear forces of both ends and the mean slope  b = V(0) − c'(0):       M(w) = M(0) + (c(w) − c(0)) + b w
+//! ```
+//!
+//! from the left end to the right one, or the mirror image. The numbers at the far end are enclosed, and the next stretch starts with
+//! them.
+//!
+//! *Proof that a pair remains one.* A pair needs that `v̂` and `v̂'` are continuous and satisfy the supports, and that `M` is in balance.
+//! At a node both sides must therefore use the same numbers; what these numbers are does not matter, whatever the witness says. Each
+//! enclosure stands for one number, the one that the exact continuation has there, and all stretches beside the node read the same entry.
+//! A node is walked to at most once, and never if its number is prescribed: by a support for `v̂`; for `M` by a hinged or free end of the
+//! beam and by statics at the inner end of an overhang. `r` has the value `M(w)` at its far end for any `b`, since the mean slope of a
+//! cubic is what it rises by over its width. Its second derivative is a difference of shear forces over `w`, not of moments over `w²`.
+
+use super::OnSprings;
+use crate::certificate::kernel::interval::Interval;
+use crate::certificate::kernel::polynomial::Polynomial;
+use crate::certificate::kernel::span::Span;
+
+/// A pressed stretch is walked along if it is shorter than this share of `(4 EI/k)^¼`. *Tuned* on things that all but meet; the bounds are
+/// true for any value.
+const SHORT: f64 = 1.0 / 1024.0;
+
+/// To which end a stretch is walked along.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Towards {
+    Left,
+    Right,
+}
+
+/// How a short stretch is walked along, by a polynomial and a line.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Walk {
+    /// The slope of the line.
+    pub(super) slope: Interval,
+    /// What both together rise by from the left end to the right one.
+    rise: Interval,
+}
+
+impl Walk {
+    /// With the slope of polynomial and line together at the end from which it starts.
+    fn along(polynomial: &Polynomial, slope: Interval, towards: Towards, width: Interval) -> Self {
+        let start = if towards == Towards::Right { Interval::ZERO } else { width };
+        let slope = slope - polynomial.derivative().at(start);
+        // The constant term is common to both ends.
+        Self { slope, rise: (polynomial.divided(1).at(width) + slope) * width }
+    }
+}
+
+/// What `w` and `w'` are at a node that was walked to, and on which side of it the short stretch is: on the left one if true.
+pub(super) type Reached = (bool, [Interval; 2]);
+
+impl OnSprings<'_> {
+    /// Which stretches are walked along, in the order in which this is done. In each run of short stretches the first node at which the
+    /// number is known is the start for all of them, or else the left end.
+    fn walks(&self, is_known: impl Fn(usize) -> bool) -> Vec<(usize, Towards)> {
+        let most = SHORT * self.length().lo();
+        let is_short =
+            |i: &usize| self.is_pressed(*i, false) && self.stretches[*i].to - self.stretches[*i].from <= most;
+        let (mut walks, mut from) = (Vec::new(), 0);
+        while from < self.stretches.len() {
+            let to = (from..self.stretches.len()).find(|i| !is_short(i)).unwrap_or(self.stretches.len());
+            let start = (from..=to).find(|node| is_known(*node)).unwrap_or(from);
+            walks.extend((from..start).rev().map(|i| (i, Towards::Left)));
+            walks.extend((start..to).filter(|i| !is_known(i + 1)).map(|i| (i, Towards::Right)));
+            from = to + 1;
+        }
+        walks
+    }
+
+    /// Walks along short stretches for `v̂`.
+    pub(super) fn walk(&mut self) -> Vec<Option<Walk>> {
+        self.reached = vec![None; self.stretches.len() + 1];
+        let mut walked = vec![None; self.stretches.len()];
+        for (i, towards) in self.walks(|node| self.enclosed.support(self.x(node)).is_some()) {
+            let (start, to_the_right) = (i + usize::from(towards == Towards::Left), towards == Towards::Right);
+            let (width, t) = self.polynomial(i);
+            let Some([w, slope]) = self.sunk(start, !to_the_right) else { continue };
+            let walk = Walk::along(&t, slope, towards, width);
+            let there = walk.slope + t.derivative().at(if to_the_right { width } else { Interval::ZERO });
+            let far = if to_the_right { w + walk.rise } else { w - walk.rise };
+            self.reached[if to_the_right { i + 1 } else { i }] = Some((to_the_right, [far, there]));
+            walked[i] = Some(walk);
+        }
+        walked
+    }
+
+    /// The same for `M`, and the moments on both sides of the nodes that are walked to.
+    pub(super) fn walk_moments(&self, spans: &[Option<Span>], moments: &mut [[Interval; 2]]) -> Vec<Option<Walk>> {
+        let is_built_in = |node: usize| self.enclosed.support(self.x(node)).is_some_and(|s| s.slope.is_some());
+        let is_known = |node: usize| {
+            let is_end = node == 0 || node == spans.len();
+            let overhangs = || [true, false].into_iter().any(|left| self.overhanging(spans, node, left).is_some());
+            is_end && !is_built_in(node) || overhangs()
+        };
+        let mut walked = vec![None; spans.len()];
+        for (i, towards) in self.walks(is_known) {
+            let (start, to_the_right) = (i + usize::from(towards == Towards::Left), towards == Towards::Right);
+            let (width, t) = self.polynomial(i);
+            let Some(shear) = self.said(start, !to_the_right, 3) else { continue };
+            let walk = Walk::along(&self.caused(i, &t), shear, towards, width);
+            let (node, side) = if to_the_right { (i + 1, 0) } else { (i, 1) };
+            let moment = if to_the_right { moments[i][1] + walk.rise } else { moments[i + 1][0] - walk.rise };
+            // A beam that is built in there may have another moment on the other side.
+            if is_built_in(node) {
+                moments[node][side] = moment;
+            } else {
+                moments[node] = [moment; 2];
+            }
+            walked[i] = Some(walk);
+        }
+        walked
+    }
+}
