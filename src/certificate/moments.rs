@@ -11,7 +11,7 @@
 //! M*(x) ≥ ∫ M φ'' dx − |q| w²/3 − P w/3 − √(5 gap EI/w)
 //! ```
 //!
-//! with all point loads `P`, to that side of `x` on which the next support is farther than `2w`. From above, at the distance `w` from
+//! with the point loads `P` within `2w`, to that side of `x` on which the next support is farther than `2w`. From above, at the distance `w` from
 //! supports, and with zero for `M` beyond a free end,
 //!
 //! ```text
@@ -24,13 +24,14 @@
 //! beam lies on the ground from a support on (`support_forces`), its moment there is that of the pair.
 //!
 //! Over `2w` the moments of the pair change by no more than `V` times their length, and their jumps `J` at nodes. So both extremes are
-//! known to
+//! known, with any `w`, to
 //!
 //! ```text
 //! (V + P) w + |q| w²/2 + 3J/2 + √(5 gap EI/w)     least for w³ = 5 gap EI / 4 (V + P)²
 //! ```
 //!
 //! Couples are left out of all of this: both moments, without the steps that these make, are of the kind above, and the steps are known.
+//! `P` and `J` are sums over what is within `2w` of a place that is within `w` of another one: the greatest sum over any `8w` is enough.
 //!
 //! Two solves of a beam with a kink at `x` bound `M*(x)` as well, since the energy is convex in the angle and its derivative is
 //! `−M*(x)`; but at one place each time, and to the root of what is rounded of an energy. A gap is of the size of the square of
@@ -74,16 +75,17 @@ fn error(enclosed: &EnclosedScene<'_>, pair: &Pair, pieces: &[([f64; 2], Polynom
     let jumps = pieces.windows(2).filter(|w| enclosed.support(w[1].0[0]).is_none());
     let jump = |w: &[([f64; 2], Polynomial)]| {
         let jump = w[1].1.at(Interval::ZERO) - w[0].1.at(width(&w[0].0)) - load.couple(w[1].0[0]);
-        jump.magnitude()
+        (w[1].0[0], jump.magnitude())
     };
-    let jump: f64 = jumps.map(jump).sum();
+    let jumps: Vec<(f64, f64)> = jumps.map(jump).collect();
     if pair.gap <= 0.0 {
-        return Some((1.5 * jump * OUTWARDS, true));
+        return Some((1.5 * within(&jumps, length) * OUTWARDS, true));
     }
     let slope = pieces.iter().map(|(ends, m)| m.derivative().range(width(ends)).magnitude()).fold(0.0, f64::max);
     let distributed = pieces.iter().flat_map(|(ends, _)| ends.map(|x| load.line(x, *ends)[0].magnitude()));
-    let (distributed, points) = (distributed.fold(0.0, f64::max), load.points.iter().map(|p| p.1.magnitude()));
-    let changes = slope + points.sum::<f64>();
+    let distributed = distributed.fold(0.0, f64::max);
+    let points: Vec<(f64, f64)> = load.points.iter().map(|p| (p.0, p.1.magnitude())).collect();
+    let changes = |w: f64| slope + within(&points, 8.0 * w);
     let mut places: Vec<f64> = supports.iter().map(|s| s.x).chain([length]).collect();
     places.dedup();
     let mut before = 0.0;
@@ -92,10 +94,28 @@ fn error(enclosed: &EnclosedScene<'_>, pair: &Pair, pieces: &[([f64; 2], Polynom
     let beside = (0..supports.len()).map(|k| known_beside(enclosed, pair, k)).fold(f64::INFINITY, f64::min);
     let most = if 0.0 < beside { bay.min(WITHIN[1] * beside) } else { bay };
     let energy = 5.0 * pair.gap * stiffness;
-    let best = libm::cbrt(energy / (4.0 * changes * changes));
+    let best = libm::cbrt(energy / (4.0 * changes(0.0) * changes(0.0)));
     let w = if best < most { best } else { most };
-    let error = changes * w + 0.5 * distributed * w * w + 1.5 * jump + (energy / w).sqrt();
+    let jump = within(&jumps, 8.0 * w);
+    let error = changes(w) * w + 0.5 * distributed * w * w + 1.5 * jump + (energy / w).sqrt();
     (error.is_finite() && 0.0 < w).then_some((error * OUTWARDS, 0.0 < beside))
+}
+
+/// At least the greatest sum of what is at places, from left to right, in a window of this width.
+fn within(places: &[(f64, f64)], width: f64) -> f64 {
+    let (mut most, mut sum, mut first, mut total) = (0.0_f64, 0.0, 0, 0.0);
+    for (x, size) in places {
+        (sum, total) = (sum + size, total + size);
+        while width * OUTWARDS < x - places[first].0 {
+            sum -= places[first].1;
+            first += 1;
+        }
+        most = most.max(sum);
+    }
+    // Each of the sums and differences is rounded by its own size, which is less than the total.
+    #[expect(clippy::cast_precision_loss, reason = "a count, and more than twice as many roundings as there are")]
+    let roundings = 4.0 * (places.len() as f64) * f64::EPSILON;
+    (most + roundings * total) * OUTWARDS
 }
 
 /// How far beside a support the moment there is known from above: zero where it is not.
@@ -116,5 +136,22 @@ fn known_beside(enclosed: &EnclosedScene<'_>, pair: &Pair, k: usize) -> f64 {
         (Some(_), [true, _]) => known(1),
         (Some(_), [_, true]) => known(0),
         (Some(_), _) => known(0).min(known(1)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::within;
+
+    /// A window has room for what is at both of its ends, and for all of what is at one place.
+    #[test]
+    fn the_fullest_window_counts() {
+        let places = [(0.0, 1.0), (1.0, 4.0), (1.0, 3.0), (2.5, 2.0), (4.0, 6.0), (9.0, 5.0)];
+        for (width, expected) in [(0.0, 7.0), (1.0, 8.0), (1.5, 9.0), (2.0, 9.0), (3.0, 15.0), (5.0, 16.0), (9.0, 21.0)]
+        {
+            let found = within(&places, width);
+            assert!((expected..expected * (1.0 + 1e-13)).contains(&found), "{width}: {found} for {expected}");
+        }
+        assert!(within(&[], 1.0) <= 0.0);
     }
 }

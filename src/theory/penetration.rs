@@ -53,34 +53,42 @@ pub(super) fn deepest(
     let first = pieces.partition_point(|p| p.hi <= span.a.x);
     let mut taylor = vec![0.0; given.terms];
     for piece in pieces[first..].iter().take_while(|p| p.lo < span.b.x) {
-        let (all, mut i, mut together) = (piece.count(), 0, 1);
-        // From left to right. Beside its anchor the clearance of a piece is known better than its deflection.
-        let cells = |i: usize, count: usize| {
-            if piece.is_from_the_left() { [i, i + count - 1] } else { [all - i - count, all - 1 - i] }
-        };
-        let room = |i: usize| match (given.is_straight(piece.cell), piece.is_from_the_left()) {
-            (false, _) => 1,
-            (true, true) if i <= NEAR => 1,
-            (true, true) => all - i,
-            (true, false) => (all - i).saturating_sub(NEAR + 1).max(1),
-        };
-        while i < all {
-            let count = together.min(room(i));
-            let [k, last] = cells(i, count.max(1));
-            if 1 < count {
-                let block = piece.part(given, k, last);
-                let bar = worst.map_or_else(|| allowed(block.lo), |(_, depth)| depth);
-                let clear = is_clear(given, &block, bar, &mut taylor);
-                (i, together) = if clear { (i + count, MOST.min(MORE * count)) } else { (i, count / MORE) };
-                continue;
-            }
-            let part = piece.part(given, k, k);
+        // Beside its anchor the clearance of a piece is known better than its deflection.
+        by_blocks(given, piece, NEAR + 1, |part| {
             let bar = worst.map_or_else(|| allowed(part.lo), |(_, depth)| depth);
-            worst = in_cell(given, &part, span, bar, &mut taylor).or(worst);
-            (i, together) = (i + 1, MORE);
-        }
+            if 1 < part.count() {
+                return is_clear(given, part, bar, &mut taylor);
+            }
+            worst = in_cell(given, part, span, bar, &mut taylor).or(worst);
+            true
+        });
     }
     worst
+}
+
+/// Goes through the cells of a piece from left to right, over straight ground many at once: `look` says of such a block whether it is done with
+/// it, and otherwise sees smaller ones, down to single cells. The first `near` cells from its anchor are looked at one by one.
+pub(super) fn by_blocks(given: &PiecewiseScene, piece: &Piece, near: usize, mut look: impl FnMut(&Piece) -> bool) {
+    let (all, mut i, mut together) = (piece.count(), 0, 1);
+    let cells = |i: usize, count: usize| {
+        if piece.is_from_the_left() { [i, i + count - 1] } else { [all - i - count, all - 1 - i] }
+    };
+    let room = |i: usize| match (given.is_straight(piece.cell), piece.is_from_the_left()) {
+        (false, _) => 1,
+        (true, true) if i < near => 1,
+        (true, true) => all - i,
+        (true, false) => (all - i).saturating_sub(near).max(1),
+    };
+    while i < all {
+        let count = together.min(room(i)).max(1);
+        let [k, last] = cells(i, count);
+        let is_done = look(&piece.part(given, k, last));
+        (i, together) = match (is_done, count) {
+            (_, 1) => (i + 1, MORE),
+            (true, _) => (i + count, MOST.min(MORE * count)),
+            (false, _) => (i, count / MORE),
+        };
+    }
 }
 
 /// The deepest penetration in one cell and at the edge at its end, if it is deeper than what is allowed.
@@ -102,7 +110,7 @@ fn in_cell(given: &PiecewiseScene, part: &Piece, span: &Span, allowed: f64, tayl
 }
 
 /// True if the beam reaches nowhere deeper than some depth below the shallowest point of the straight ground below a piece.
-fn is_clear(given: &PiecewiseScene, piece: &Piece, depth: f64, taylor: &mut [f64]) -> bool {
+pub(super) fn is_clear(given: &PiecewiseScene, piece: &Piece, depth: f64, taylor: &mut [f64]) -> bool {
     piece.deflection(given, taylor);
     piece.outwards(taylor);
     let [one, other] = [piece.nth(0), piece.nth(piece.count() - 1)];

@@ -100,7 +100,7 @@ pub fn solve_near(scene: &Scene, near: &[&Exact]) -> Result<Exact, TheoryError> 
     let stiffness = scaled.scene.beam().bending_stiffness();
     let given = PiecewiseScene::new(&scaled.scene);
     if let Some(ground) = scaled.scene.ground_stiffness() {
-        return Ok(springs::exact(&scaled, given, ground)?);
+        return Ok(springs::exact(&scaled, given, ground, near)?);
     }
     let neutral = match scaled.balance {
         Balance::Neutral { about, .. } => neutral::balanced(&given, about),

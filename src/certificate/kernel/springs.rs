@@ -56,6 +56,8 @@ struct OnSprings<'a> {
     stretches: &'a [Stretch],
     /// For each node what was walked to there; empty before.
     reached: Vec<Option<Reached>>,
+    /// For each node the shear forces on both sides that were walked to; empty before.
+    sheared: Vec<Option<[Interval; 2]>>,
 }
 
 /// A pressed part, its least penetration, and what a share of its pressure costs: that share of `√(∫p²/k)`.
@@ -199,8 +201,11 @@ impl OnSprings<'_> {
         [left, left + couple]
     }
 
-    /// `V` in the same way: of what hangs by statics.
+    /// `V` in the same way: of what hangs by statics, else as was walked to.
     fn shears(&self, spans: &[Option<Span>], moments: &[[Interval; 2]], node: usize) -> [Interval; 2] {
+        if let Some(walked) = self.sheared[node] {
+            return walked;
+        }
         let hanging = |i: usize| spans.get(i)?.as_ref().map(|span| span.shears([moments[i][1], moments[i + 1][0]]));
         let (load, is_free) = (self.enclosed.load.point(self.x(node)), self.enclosed.support(self.x(node)).is_none());
         let [before, behind] = [node.checked_sub(1).and_then(hanging).map(|v| v[1]), hanging(node).map(|v| v[0])];
@@ -240,12 +245,12 @@ impl OnSprings<'_> {
         let (k, stiffness) = (self.k, Interval::exact(self.enclosed.stiffness));
         let Stretch { from, to, .. } = self.stretches[i];
         let (ends, (width, t)) = ([from, to], self.polynomial(i));
-        let [sinks, bends] = walks.map(|walk| walk.map(|walk| walk.slope));
-        let (left, right) = (self.sunk(i, false)?, self.sunk(i + 1, true)?);
-        let line = |slope: Interval| Polynomial::new(&[left[0] - t.at(Interval::ZERO), slope]);
-        let delta = sinks.map_or_else(|| cubic([left, right], &t, width, None), line);
+        let ends_sunk = [self.sunk(i, false)?, self.sunk(i + 1, true)?];
         let caused = self.caused(i, &t);
-        let r = cubic(held, &caused, width, bends);
+        let [delta, r] = [(ends_sunk, &t, walks[0]), (held, &caused, walks[1])].map(|(ends, less, walk)| match walk {
+            Some(Walk { slope, is_all: true, .. }) => Polynomial::new(&[ends[0][0] - less.at(Interval::ZERO), slope]),
+            _ => cubic(ends, less, width, walk.map(|walk| walk.slope)),
+        });
         let (w, turn) = (t.plus(&delta), r.derivative().derivative());
         let (v, p) = (self.enclosed.gap.about(from, ends).plus(&w), t.times(k).plus(&turn));
         let bending = v.derivative().derivative().times(stiffness).plus(&caused).plus(&r);
@@ -295,7 +300,7 @@ impl OnSprings<'_> {
 /// The pair of some stretches on ground of a stiffness, if there is one.
 pub(crate) fn pair(enclosed: &EnclosedScene<'_>, ground: f64, stretches: &[Stretch]) -> Option<Pair> {
     let (k, n) = (Interval::exact(ground), stretches.len());
-    let mut on = OnSprings { enclosed, k, stretches, reached: Vec::new() };
+    let mut on = OnSprings { enclosed, k, stretches, reached: Vec::new(), sheared: Vec::new() };
     let nodes = enclosed.supports.iter().map(|s| (0..=n).find(|node| (on.x(*node) - s.x).abs() <= 0.0));
     let nodes: Vec<usize> = nodes.collect::<Option<_>>().filter(|_| on.is_complete())?;
     let sinks = on.walk();

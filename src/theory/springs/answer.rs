@@ -1,7 +1,7 @@
 //! The beam on ground that gives as an [`Exact`] solution: contacts, forces, extremes and energy, in the units of the scene.
 
 use super::bearings::{force, search_with};
-use super::{Part, StretchSet, beside, deepest, part_at};
+use super::{Part, StretchSet, beside, coarse, deepest, part_at};
 use crate::certificate::Stretch;
 use crate::scene::{Quantity, Resultant, Scaled, SceneError, Unheld};
 use crate::state::{
@@ -108,13 +108,18 @@ fn second(taylor: &[f64]) -> Vec<f64> {
     differentiated(differentiated(&mut taylor)).to_vec()
 }
 
-/// The exact solution of a dimensionless scene on ground of a stiffness.
+/// The exact solution of a dimensionless scene on ground of a stiffness; `near` are answers of scenes beside it, to start from.
 ///
 /// # Errors
 ///
 /// [`SceneError::Overflow`] for a stiffness beyond the range in which the beam on it can be computed, and [`Unheld::OnBorder`] where
 /// nothing presses beside the one support above which the loads are.
-pub(in crate::theory) fn exact(scaled: &Scaled, given: PiecewiseScene, stiffness: f64) -> Result<Exact, SceneError> {
+pub(in crate::theory) fn exact(
+    scaled: &Scaled,
+    given: PiecewiseScene,
+    stiffness: f64,
+    near: &[&Exact],
+) -> Result<Exact, SceneError> {
     let springs = stiffness / scaled.scene.beam().bending_stiffness();
     let (quantity, what) = (Quantity::GroundStiffness, "the stiffness of the ground over that of the beam");
     let pushed = !given.bearings.is_empty();
@@ -123,7 +128,8 @@ pub(in crate::theory) fn exact(scaled: &Scaled, given: PiecewiseScene, stiffness
         Some(Resultant { force, at }) if pushed => Unheld::OnBorder { force, at }.into(),
         _ => SceneError::Overflow { quantity, what, value: springs },
     };
-    let (given, found) = search_with(given, springs).ok_or_else(none)?;
+    let near = starts(scaled, springs, near);
+    let (given, found) = search_with(given, springs, &near).ok_or_else(none)?;
     let StretchSet { parts, stretches, solves, settled } = found;
     let violated = parts.iter().map(violation).fold(0.0, f64::max);
     let rounded = parts.iter().map(|part| rounding(part, given.length)).fold(0.0, f64::max);
@@ -158,6 +164,17 @@ pub(in crate::theory) fn exact(scaled: &Scaled, given: PiecewiseScene, stiffness
         scale: scaled.scale,
         stiffness,
     })
+}
+
+/// Stretches to start from: those of the answers of scenes beside this one, or of a coarse bed.
+fn starts(scaled: &Scaled, springs: f64, near: &[&Exact]) -> Vec<Vec<[f64; 2]>> {
+    let carried = |exact: &&Exact| {
+        let unit = exact.scale.length / scaled.scale.length;
+        let stretches = &exact.springs.as_ref().filter(|_| exact.solved)?.stretches;
+        Some(stretches.iter().map(|ends| ends.map(|x| x * unit)).collect())
+    };
+    let near: Vec<_> = near.iter().filter_map(carried).collect();
+    if near.is_empty() { coarse::stretches(&scaled.scene, springs).into_iter().collect() } else { near }
 }
 
 /// What a penetration is rounded by: the digits of the deflection, and how far it changes by those of a place.

@@ -18,25 +18,35 @@ use crate::theory::piecewise::{AtSupport, PiecewiseScene};
 /// time follows.
 const PATIENCE: usize = 3;
 
-/// A scene with those of the supports that only push as supports that press, and the beam on them.
-pub(super) fn search_with(given: PiecewiseScene, springs: f64) -> Option<(PiecewiseScene, StretchSet)> {
+/// A scene with those of the supports that only push as supports that press, and the beam on them; `near` are stretches that are nearly right.
+pub(super) fn search_with(
+    given: PiecewiseScene,
+    springs: f64,
+    near: &[Vec<[f64; 2]>],
+) -> Option<(PiecewiseScene, StretchSet)> {
     let mut work = Work::default();
     if given.bearings.is_empty() {
-        let found = search(&given, springs, &mut work)?;
+        let found = search(&given, springs, near, &mut work)?;
         return Some((given, found));
     }
-    let all = exchange(&given, springs, true, &mut work);
+    let all = exchange(&given, springs, near, true, &mut work);
     let is_settled = all.as_ref().is_some_and(|(_, found)| found.settled);
-    if is_settled { all } else { exchange(&given, springs, false, &mut work).or(all) }
+    if is_settled { all } else { exchange(&given, springs, near, false, &mut work).or(all) }
 }
 
 /// The same from all of them, or from none.
-fn exchange(given: &PiecewiseScene, springs: f64, all: bool, work: &mut Work) -> Option<(PiecewiseScene, StretchSet)> {
+fn exchange(
+    given: &PiecewiseScene,
+    springs: f64,
+    near: &[Vec<[f64; 2]>],
+    all: bool,
+    work: &mut Work,
+) -> Option<(PiecewiseScene, StretchSet)> {
     let mut presses = vec![all; given.bearings.len()];
     let (mut fewest, mut patience) = (usize::MAX, PATIENCE);
     loop {
         let held = holding(given, &presses);
-        let found = search(&held, springs, work)?;
+        let found = search(&held, springs, near, work)?;
         let wrong: Vec<usize> = wrong(&held, &found.parts, &presses);
         if wrong.is_empty() || !found.settled || work.is_done(given) {
             let settled = found.settled && wrong.is_empty();

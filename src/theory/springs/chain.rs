@@ -6,6 +6,7 @@ use super::Part;
 use super::links::{Beam, Kind, Link};
 use crate::qp::blocks::{Block, PENALTY, factor, solve as solve_blocks};
 use crate::theory::overhang::Overhang;
+use crate::theory::penetration::{by_blocks, is_clear};
 use crate::theory::piece::{Piece, pieces_of};
 use crate::theory::piecewise::PiecewiseScene;
 use crate::theory::span::Span;
@@ -28,14 +29,31 @@ impl AsMut<Block> for Row {
 /// `h, h', M, V` at the two ends of a link.
 type Ends = [[f64; 4]; 2];
 
+/// A beam on springs, by the numbers at the ends of its links.
+pub(super) struct Solved<'a> {
+    beam: Beam<'a>,
+    /// The first link between places that hold the beam, and those of all links from there on; what is beyond hangs by statics.
+    held: usize,
+    ends: Vec<Ends>,
+    overhangs: [Option<Span>; 2],
+}
+
+/// What a link does.
+#[expect(clippy::large_enum_variant, reason = "there is one at a time")]
+enum Course {
+    Hangs(Span),
+    /// Taylor coefficients of `h` and `v` about its left end.
+    Pressed([Vec<f64>; 2]),
+}
+
 /// The beam on springs that press on stretches, from left to right; [`None`] if nothing holds it there. To the load comes the penetration
 /// of a beam that is pressed on the same stretches, times a factor.
-pub(super) fn solve(
-    given: &PiecewiseScene,
+pub(super) fn solve<'a>(
+    given: &'a PiecewiseScene,
     springs: f64,
     stretches: &[[f64; 2]],
     sunk: Option<(&[Part], f64)>,
-) -> Option<Vec<Part>> {
+) -> Option<Solved<'a>> {
     let mut beam = Beam { given, springs, decay: (0.25 * springs).sqrt().sqrt(), links: Vec::new() };
     beam.join(stretches);
     if let Some((parts, factor)) = sunk {
@@ -47,10 +65,10 @@ pub(super) fn solve(
     for i in 0..beam.links.len() {
         beam.measure(i);
     }
-    beam.parts()
+    beam.solved()
 }
 
-impl Beam<'_> {
+impl<'a> Beam<'a> {
     /// The chain of links `lo` to `hi`, without `hi`: `h, h', M, V` at both ends of each.
     fn chain(&self, lo: usize, hi: usize) -> Option<Vec<Ends>> {
         // `h` and `M` of a node are those on its right side.
@@ -169,7 +187,7 @@ impl Beam<'_> {
         }
     }
 
-    fn parts(&self) -> Option<Vec<Part>> {
+    fn solved(self) -> Option<Solved<'a>> {
         let n = self.links.len();
         let hangs = [0, n].map(|i| self.links[i.min(n - 1)].kind == Kind::Span && self.support(i).is_none());
         let (lo, hi) = (usize::from(hangs[0]), n.checked_sub(usize::from(hangs[1]))?);
@@ -182,30 +200,16 @@ impl Beam<'_> {
             let to = (from + 1..hi).find(|i| self.built_in(*i).is_some()).unwrap_or(hi);
             ends.extend(self.chain(from, to)?);
         }
-        let mut parts = Vec::new();
+        let mut overhangs = [None; 2];
         if hangs[0] {
-            let beside = ends.first().map(|ends| (&self.links[lo], 0, ends[0]));
-            self.hanging(&self.overhang(0, 1, beside)?, &mut parts);
-        }
-        for (i, ends) in (lo..hi).zip(&ends) {
-            let link = &self.links[i];
-            let [h, v] = match link.kind {
-                Kind::Span => {
-                    self.hanging(&self.between(i, ends), &mut parts);
-                    continue;
-                }
-                Kind::Pressed => self.taylor(link, ends[0]),
-                Kind::Deep => self.following(link),
-            };
-            let penetration = h.into_iter().map(|c| -c).collect();
-            let piece = Piece::of_part([link.lo, link.hi], link.lo, link.cells[0]);
-            parts.push(Part { piece, pressed: true, deflection: v, penetration });
+            let beside = ends.first().map(|ends: &Ends| (&self.links[lo], 0, ends[0]));
+            overhangs[0] = Some(self.overhang(0, 1, beside)?);
         }
         if hangs[1] {
             let beside = ends.last().map(|ends| (&self.links[hi - 1], 1, ends[1]));
-            self.hanging(&self.overhang(hi, 0, beside)?, &mut parts);
+            overhangs[1] = Some(self.overhang(hi, 0, beside)?);
         }
-        parts.iter().all(|part| (part.deflection[0] + part.deflection[3]).is_finite()).then_some(parts)
+        Some(Solved { beam: self, held: lo, ends, overhangs })
     }
 
     /// A link that hangs between two nodes.
@@ -234,20 +238,102 @@ impl Beam<'_> {
         };
         Some(Span::overhang(self.given, link.end(held, height, level), slope, held == 1))
     }
+}
+
+impl Solved<'_> {
+    /// How many links it has.
+    pub(super) fn size(&self) -> usize {
+        self.beam.links.len()
+    }
+
+    fn course(&self, i: usize) -> Option<Course> {
+        let link = &self.beam.links[i];
+        let Some(ends) = i.checked_sub(self.held).map(|i| self.ends.get(i)) else {
+            return Some(Course::Hangs(self.overhangs[0]?));
+        };
+        let Some(ends) = ends else { return Some(Course::Hangs(self.overhangs[1]?)) };
+        Some(match link.kind {
+            Kind::Span => Course::Hangs(self.beam.between(i, ends)),
+            Kind::Pressed => Course::Pressed(self.beam.taylor(link, ends[0])),
+            Kind::Deep => Course::Pressed(self.beam.following(link)),
+        })
+    }
+
+    /// Its parts, from left to right; [`None`] if numbers leave the range of `f64`.
+    pub(super) fn parts(&self) -> Option<Vec<Part>> {
+        let mut parts = Vec::new();
+        for (i, link) in self.beam.links.iter().enumerate() {
+            match self.course(i)? {
+                Course::Hangs(span) => self.hanging(&span, &mut parts),
+                Course::Pressed([h, deflection]) => {
+                    let penetration = h.into_iter().map(|c| -c).collect();
+                    let piece = Piece::of_part([link.lo, link.hi], link.lo, link.cells[0]);
+                    parts.push(Part { piece, pressed: true, deflection, penetration });
+                }
+            }
+        }
+        parts.iter().all(|part| (part.deflection[0] + part.deflection[3]).is_finite()).then_some(parts)
+    }
 
     /// The parts of the beam where nothing presses.
     fn hanging(&self, span: &Span, parts: &mut Vec<Part>) {
+        let given = self.beam.given;
         let mut pieces = Vec::new();
-        pieces_of(self.given, span, &mut pieces);
-        let mut pieces: Vec<Piece> = pieces.iter().flat_map(|piece| piece.parts(self.given)).collect();
+        pieces_of(given, span, &mut pieces);
+        let mut pieces: Vec<Piece> = pieces.iter().flat_map(|piece| piece.parts(given)).collect();
         pieces.retain(|piece| piece.lo < piece.hi);
         pieces.sort_by(|a, b| a.lo.total_cmp(&b.lo));
         parts.extend(pieces.into_iter().map(|piece| {
-            let (mut deflection, mut penetration) = (vec![0.0; self.given.terms], vec![0.0; self.given.terms]);
-            piece.deflection(self.given, &mut deflection);
-            piece.clearance(self.given, &mut penetration);
+            let (mut deflection, mut penetration) = (vec![0.0; given.terms], vec![0.0; given.terms]);
+            piece.deflection(given, &mut deflection);
+            piece.clearance(given, &mut penetration);
             penetration.iter_mut().for_each(|c| *c = -*c);
             Part { piece, pressed: false, deflection, penetration }
         }));
+    }
+
+    /// The largest penetration at an end of a link on which the ground presses.
+    pub(super) fn deepest(&self) -> f64 {
+        let links = self.beam.links.iter().skip(self.held).zip(&self.ends);
+        let pressed = links.filter(|(link, _)| link.kind != Kind::Span).flat_map(|(_, ends)| ends);
+        pressed.fold(0.0, |most, [h, ..]| h.abs().max(most))
+    }
+
+    /// Each part on which the ground presses, and of those that hang each one that is not clear of the ground by more than rounding, from
+    /// left to right: its piece, whether it presses, and the Taylor coefficients of `h` about its anchor. [`None`] as for `parts`.
+    pub(super) fn near_ground(&self, mut see: impl FnMut(&Piece, bool, &mut [f64])) -> Option<()> {
+        /// Of the depth of the beam: a deflection is a sum of a handful of terms.
+        const ROUNDING: f64 = 64.0 * f64::EPSILON;
+        let given = self.beam.given;
+        let (mut taylor, mut pieces) = (vec![0.0; given.terms], Vec::new());
+        for (i, link) in self.beam.links.iter().enumerate() {
+            let span = match self.course(i)? {
+                Course::Hangs(span) => span,
+                Course::Pressed([mut h, v]) if (v[0] + v[3]).is_finite() => {
+                    see(&Piece::of_part([link.lo, link.hi], link.lo, link.cells[0]), true, &mut h);
+                    continue;
+                }
+                Course::Pressed(_) => return None,
+            };
+            if !(span.beam_a[0] + span.beam_a[3] + span.beam_b[0] + span.beam_b[3]).is_finite() {
+                return None;
+            }
+            let rounding = ROUNDING * span.beam_a[0].abs().max(span.beam_b[0].abs());
+            pieces.clear();
+            pieces_of(given, &span, &mut pieces);
+            for piece in &pieces {
+                by_blocks(given, piece, 0, |part| {
+                    if 1 < part.count() {
+                        return is_clear(given, part, -rounding, &mut taylor);
+                    }
+                    if part.lo < part.hi {
+                        part.clearance(given, &mut taylor);
+                        see(part, false, &mut taylor);
+                    }
+                    true
+                });
+            }
+        }
+        Some(())
     }
 }

@@ -72,7 +72,7 @@ impl Exact {
             _ => None,
         };
         let changed = self.changed(of);
-        let parts = solve(&changed, k, &springs.stretches, sunk)?;
+        let parts = solve(&changed, k, &springs.stretches, sunk)?.parts()?;
         let of_force = |value: f64| value * self.stiffness * scale.force / unit + 0.0;
         let supports = self.state.supports.iter().map(|support| {
             let at = given.breakpoints.partition_point(|b| b.x < support.at / scale.length);

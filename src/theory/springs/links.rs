@@ -22,8 +22,8 @@ use crate::theory::piece::derivatives;
 use crate::theory::piecewise::{AtSupport, PiecewiseScene};
 use crate::theory::span::{End, EndCondition, fixed_end_of_load};
 
-/// Coefficients of a pressed polynomial: over `1/λ` the next ones are less than `4⁷/28! < 10⁻²⁵` of it.
-const PRESSED_TERMS: usize = 28;
+/// Coefficients of a pressed polynomial over so many decay lengths `1/λ` at most: the next ones are less than `4ʳ ℓ⁴ʳ/(4r)! < 10⁻²⁰` of it.
+const PRESSED_TERMS: [(f64, usize); 3] = [(1.0 / 64.0, 12), (0.25, 16), (f64::INFINITY, 28)];
 /// Decay lengths `1/λ` from an end of a zone to where its effect is below rounding: `e⁻⁴⁴ < 10⁻¹⁹`.
 const REACH: f64 = 44.0;
 
@@ -102,26 +102,29 @@ pub(super) struct Beam<'a> {
 impl Beam<'_> {
     /// Its links, from left to right.
     pub(super) fn join(&mut self, stretches: &[[f64; 2]]) {
-        for (i, cell) in self.given.cells.iter().enumerate() {
-            let first = stretches.partition_point(|[_, to]| *to <= cell.lo);
-            let mut at = cell.lo;
-            for [from, to] in stretches[first..].iter().take_while(|[from, _]| *from < cell.hi) {
-                let (from, to) = (from.max(at), to.min(cell.hi));
-                self.hang([at, from], i);
-                self.press([from, to], i);
-                at = to;
+        let mut at = 0.0;
+        for &[from, to] in stretches {
+            self.hang([at, from]);
+            for i in self.given.cell_from(from)..=self.given.cell_to(to) {
+                let cell = &self.given.cells[i];
+                self.press([cell.lo.max(from), cell.hi.min(to)], i);
             }
-            self.hang([at, cell.hi], i);
+            at = to;
         }
+        self.hang([at, self.given.length]);
     }
 
-    /// A part of a cell where nothing presses: one span with the one before it.
-    fn hang(&mut self, [lo, hi]: [f64; 2], cell: usize) {
-        let ends = self.given.support_at(cell).is_some();
-        match self.links.last_mut() {
-            _ if hi <= lo => {}
-            Some(last) if last.kind == Kind::Span && !ends => (last.hi, last.cells[1]) = (hi, cell),
-            _ => self.links.push(Link::new([lo, hi], cell, Kind::Span)),
+    /// A part of the beam where nothing presses: a span between two supports each.
+    fn hang(&mut self, [from, to]: [f64; 2]) {
+        let (given, mut at) = (self.given, from);
+        let first = given.supports.partition_point(|support| given.breakpoints[support.breakpoint].x <= from);
+        let inside = given.supports[first..].iter().map(|support| given.breakpoints[support.breakpoint].x);
+        for end in inside.take_while(|x| *x < to).chain([to]) {
+            if at < end {
+                let cells = [given.cell_from(at), given.cell_to(end)];
+                self.links.push(Link { cells, ..Link::new([at, end], cells[0], Kind::Span) });
+            }
+            at = end;
         }
     }
 
@@ -132,6 +135,9 @@ impl Beam<'_> {
             let end = |k: u32| if k < parts { lo + (hi - lo) * (f64::from(k) / f64::from(parts)) } else { hi };
             self.links.extend((0..parts).map(|k| Link::new([end(k), end(k + 1)], cell, kind)));
         };
+        if hi <= lo {
+            return;
+        }
         let lengths = (hi - lo) * self.decay;
         if lengths <= 2.5 * REACH {
             return push([lo, hi], lengths.ceil().max(1.0) as u32, Kind::Pressed);
@@ -298,7 +304,9 @@ impl Beam<'_> {
     /// Taylor coefficients of `h` and `v` of a pressed link about its left end, from `h, h', M, V` there.
     #[expect(clippy::cast_precision_loss, reason = "an order is a small number")]
     pub(super) fn taylor(&self, link: &Link, [h, h1, moment, shear]: [f64; 4]) -> [Vec<f64>; 2] {
-        let terms = PRESSED_TERMS.max(self.given.terms);
+        let lengths = (link.hi - link.lo) * self.decay;
+        let terms = PRESSED_TERMS.iter().find(|(most, _)| lengths <= *most).map_or(0, |(_, terms)| *terms);
+        let terms = terms.max(self.given.terms);
         let (mut clear, mut deflection) = (vec![0.0; terms], vec![0.0; terms]);
         let cell = link.cells[0];
         self.given.profile(cell, link.lo, &mut clear);

@@ -67,9 +67,11 @@ fn cases() -> Vec<(&'static [Idle], Vec<f64>)> {
     let inside = vec![0.0, 2.5, 4.0, 4.0 + 1e-7, 4.0 + 2e-6, 6.0, 7.5, 10.0];
     let at_ends = vec![0.0, 1e-9, 1e-6, 3.0, 5.0, 7.0, 10.0 - 1e-8, 10.0];
     let near = vec![0.0, 2.0, 4.0 - 1e-8, 4.0, 4.0 + 3e-7, 7.0, 10.0];
+    let ulp = vec![0.0, 2.0, 4.0, 4.0_f64.next_up(), 6.0, 8.0, 10.0];
     let two = vec![0.0, 2.0, 4.0 - 1e-4, 4.0, 4.0 + 1e-4, 7.0, 10.0];
     vec![
         (&[], inside.clone()),
+        (&[], ulp),
         (&[], at_ends.clone()),
         (&[(0.0, false), (10.0, true)], at_ends),
         (&[(4.0, false)], near.clone()),

@@ -5,18 +5,20 @@
 //!
 //! ```text
 //! δ(s) = δ(0) + a s,    a = w'(0) − t'(0),       hence    w(w) = w(0) + (t(w) − t(0)) + a w,      w'(w) = t'(w) + a
-//! r    = the cubic with the shear forces of both ends and the mean slope  b = V(0) − c'(0):       M(w) = M(0) + (c(w) − c(0)) + b w
+//! r(s) = M(0) + b s,    b = V(0) − c'(0),        hence    M(w) = M(0) + (c(w) − c(0)) + b w,      V(w) = c'(w) + b
 //! ```
 //!
 //! from the left end to the right one, or the mirror image. The numbers at the far end are enclosed, and the next stretch starts with
-//! them.
+//! them. Where the shear force at one of both ends follows from a part that hangs beside it, or from a support, `r` is the cubic with the
+//! shear forces of both ends and the mean slope `b`: the same `M(w)`, and a second derivative that is a difference of shear forces over
+//! `w`, not of moments over `w²`.
 //!
 //! *Proof that a pair remains one.* A pair needs that `v̂` and `v̂'` are continuous and satisfy the supports, and that `M` is in balance.
 //! At a node both sides must therefore use the same numbers; what these numbers are does not matter, whatever the witness says. Each
 //! enclosure stands for one number, the one that the exact continuation has there, and all stretches beside the node read the same entry.
 //! A node is walked to at most once, and never if its number is prescribed: by a support for `v̂`; for `M` by a hinged or free end of the
-//! beam and by statics at the inner end of an overhang. `r` has the value `M(w)` at its far end for any `b`, since the mean slope of a
-//! cubic is what it rises by over its width. Its second derivative is a difference of shear forces over `w`, not of moments over `w²`.
+//! beam and by statics at the inner end of an overhang; for `V` by a support, by statics where a part hangs, and at the ends of the beam.
+//! A cubic has the value `M(w)` at its far end for any `b`, since the mean slope is what it rises by over its width.
 
 use super::OnSprings;
 use crate::certificate::kernel::interval::Interval;
@@ -41,6 +43,8 @@ pub(super) struct Walk {
     pub(super) slope: Interval,
     /// What both together rise by from the left end to the right one.
     rise: Interval,
+    /// Whether the line is all: the slope at the far end is not given either.
+    pub(super) is_all: bool,
 }
 
 impl Walk {
@@ -49,7 +53,7 @@ impl Walk {
         let start = if towards == Towards::Right { Interval::ZERO } else { width };
         let slope = slope - polynomial.derivative().at(start);
         // The constant term is common to both ends.
-        Self { slope, rise: (polynomial.divided(1).at(width) + slope) * width }
+        Self { slope, rise: (polynomial.divided(1).at(width) + slope) * width, is_all: true }
     }
 }
 
@@ -91,27 +95,49 @@ impl OnSprings<'_> {
         walked
     }
 
-    /// The same for `M`, and the moments on both sides of the nodes that are walked to.
-    pub(super) fn walk_moments(&self, spans: &[Option<Span>], moments: &mut [[Interval; 2]]) -> Vec<Option<Walk>> {
-        let is_built_in = |node: usize| self.enclosed.support(self.x(node)).is_some_and(|s| s.slope.is_some());
+    /// The same for `M` and `V`, and the moments on both sides of the nodes that are walked to.
+    pub(super) fn walk_moments(&mut self, spans: &[Option<Span>], moments: &mut [[Interval; 2]]) -> Vec<Option<Walk>> {
+        let is_built_in = |on: &Self, node: usize| on.enclosed.support(on.x(node)).is_some_and(|s| s.slope.is_some());
         let is_known = |node: usize| {
             let is_end = node == 0 || node == spans.len();
             let overhangs = || [true, false].into_iter().any(|left| self.overhanging(spans, node, left).is_some());
-            is_end && !is_built_in(node) || overhangs()
+            is_end && !is_built_in(self, node) || overhangs()
         };
+        let walks = self.walks(is_known);
+        self.sheared = vec![None; spans.len() + 1];
         let mut walked = vec![None; spans.len()];
-        for (i, towards) in self.walks(is_known) {
-            let (start, to_the_right) = (i + usize::from(towards == Towards::Left), towards == Towards::Right);
-            let (width, t) = self.polynomial(i);
-            let Some(shear) = self.said(start, !to_the_right, 3) else { continue };
-            let walk = Walk::along(&self.caused(i, &t), shear, towards, width);
-            let (node, side) = if to_the_right { (i + 1, 0) } else { (i, 1) };
+        for (i, towards) in walks {
+            let to_the_right = towards == Towards::Right;
+            let (start, node) = if to_the_right { (i, i + 1) } else { (i + 1, i) };
+            let ((width, t), load) = (self.polynomial(i), |node: usize| self.enclosed.load.point(self.x(node)));
+            let is_free = |node: usize| self.enclosed.support(self.x(node)).is_none();
+            let own = match self.sheared[start] {
+                Some([left, right]) => Some(if to_the_right { right } else { left }),
+                // As `shears` has it there.
+                None if is_free(start) && start == i + 1 && start < spans.len() => {
+                    self.said(start, false, 3).map(|v| v + load(start))
+                }
+                None => self.said(start, !to_the_right, 3),
+            };
+            let Some(shear) = own else { continue };
+            let caused = self.caused(i, &t);
+            let mut walk = Walk::along(&caused, shear, towards, width);
+            walk.is_all = is_free(node)
+                && self.is_pressed(node, !to_the_right)
+                && (!is_free(start) || self.is_pressed(start, to_the_right));
+            if walk.is_all {
+                let there = walk.slope + caused.derivative().at(if to_the_right { width } else { Interval::ZERO });
+                let both = if to_the_right { [there, there - load(node)] } else { [there + load(node), there] };
+                self.sheared[node] = Some(both);
+            }
+            let side = usize::from(!to_the_right);
             let moment = if to_the_right { moments[i][1] + walk.rise } else { moments[i + 1][0] - walk.rise };
             // A beam that is built in there may have another moment on the other side.
-            if is_built_in(node) {
+            if is_built_in(self, node) {
                 moments[node][side] = moment;
             } else {
-                moments[node] = [moment; 2];
+                let couple = self.enclosed.load.couple(self.x(node));
+                moments[node] = if to_the_right { [moment, moment + couple] } else { [moment - couple, moment] };
             }
             walked[i] = Some(walk);
         }

@@ -1,0 +1,246 @@
+//! The search for the stretches that press: Newton's method, from stretches that are nearly right or from softer ground on.
+
+use super::chain::{Solved, solve};
+use super::{ROUNDING, StretchSet};
+use crate::theory::bernstein::sign_changes;
+use crate::theory::piecewise::PiecewiseScene;
+
+/// How the search goes from one stiffness to the next. The next way is tried where one does not settle. *Tuned* on the random scenes of the
+/// tests and on surveys of up to 10⁵ readings.
+const WAYS: [Way; 3] = [
+    Way { at_first: 4096.0, factor: 16.0, roughly: true, most: 24 },
+    Way { at_first: 16.0, factor: 16.0, roughly: false, most: 60 },
+    Way { at_first: 2.0, factor: 2.0, roughly: false, most: 60 },
+];
+
+/// See [`WAYS`].
+#[derive(Debug, Clone, Copy)]
+struct Way {
+    /// The factor of stiffness as long as all of the beam presses.
+    at_first: f64,
+    /// The factor from there on.
+    factor: f64,
+    /// Whether a set of softer ground is only a start: it is enough that it hardly changes, whatever the number of its stretches.
+    roughly: bool,
+    /// Solves for one set, at most; a handful are the rule.
+    most: usize,
+}
+
+/// Links that all solves of a search go through together, at most: some seconds on a slow machine.
+const MOST_LINKS: usize = 500_000;
+
+/// Or as many for each cell of the scene. Ground so stiff that the places where it begins to press have no digits left would go on through
+/// all stiffnesses.
+const MOST_LINKS_OF_A_CELL: usize = 200;
+
+/// What has been done.
+#[derive(Debug, Default)]
+pub(super) struct Work {
+    solves: usize,
+    links: usize,
+}
+
+impl Work {
+    /// Whether none is left.
+    pub(super) fn is_done(&self, given: &PiecewiseScene) -> bool {
+        MOST_LINKS.max(MOST_LINKS_OF_A_CELL * given.cells.len()) < self.links
+    }
+
+    /// One more solve; [`None`] where there is none, or no work is left.
+    fn solve<'a>(&mut self, given: &'a PiecewiseScene, springs: f64, stretches: &[[f64; 2]]) -> Option<Solved<'a>> {
+        if self.is_done(given) {
+            return None;
+        }
+        let solved = solve(given, springs, stretches, None)?;
+        self.solves += 1;
+        self.links += solved.size();
+        Some(solved)
+    }
+}
+
+/// The stretches on which springs of a stiffness over `EI` press, and the beam on them; `near` are some that are nearly right, in turn. Where
+/// the set does not settle, the whole beam is pressed; [`None`] if numbers leave the range of `f64`.
+pub(super) fn search(
+    given: &PiecewiseScene,
+    springs: f64,
+    near: &[Vec<[f64; 2]>],
+    work: &mut Work,
+) -> Option<StretchSet> {
+    for near in near {
+        let found = in_vain(work, |work| beginning_near(given, springs, near, work));
+        if found.is_some() {
+            return found;
+        }
+    }
+    for way in &WAYS {
+        let found = if way.roughly {
+            in_vain(work, |work| stiffening(given, springs, way, work))
+        } else {
+            stiffening(given, springs, way, work)
+        };
+        if found.as_ref().is_some_and(|found| found.settled) {
+            return found;
+        }
+    }
+    let stretches = vec![[0.0, given.length]];
+    let parts = solve(given, springs, &stretches, None)?.parts()?;
+    Some(StretchSet { parts, stretches, solves: work.solves, settled: false })
+}
+
+/// What is found where a set settles. What was done in vain leaves the other ways all of the work.
+fn in_vain(work: &mut Work, find: impl FnOnce(&mut Work) -> Option<StretchSet>) -> Option<StretchSet> {
+    let links = work.links;
+    let found = find(work).filter(|found| found.settled);
+    if found.is_none() {
+        work.links = links;
+    }
+    found
+}
+
+/// From stretches that are nearly right Newton's method doubles the digits from one solve to the next.
+fn beginning_near(given: &PiecewiseScene, springs: f64, near: &[[f64; 2]], work: &mut Work) -> Option<StretchSet> {
+    /// Solves at most. *Tuned* on surveys, which need 7 to 12 from a coarse bed, and on wheels along a rail, which need 6 from the row before.
+    const MOST: usize = 16;
+    let mut stretches = near.to_vec();
+    let settled = settle(given, springs, &mut stretches, (MOST, Enough::Exactly), work)?;
+    let parts = work.solve(given, springs, &stretches)?.parts()?;
+    Some(StretchSet { parts, stretches, solves: work.solves, settled })
+}
+
+fn stiffening(given: &PiecewiseScene, springs: f64, way: &Way, work: &mut Work) -> Option<StretchSet> {
+    let mut stretches = vec![[0.0, given.length]];
+    let square = given.length * given.length;
+    let mut k = (1.0 / (square * square)).min(springs);
+    loop {
+        let is_last = springs <= k;
+        let enough = match way.roughly {
+            _ if is_last => Enough::Exactly,
+            true => Enough::Roughly,
+            false => Enough::Nearly,
+        };
+        let settled = settle(given, k, &mut stretches, (way.most, enough), work)?;
+        if is_last {
+            let parts = work.solve(given, springs, &stretches)?.parts()?;
+            return Some(StretchSet { parts, stretches, solves: work.solves, settled });
+        }
+        if way.roughly && !settled {
+            return None;
+        }
+        let is_whole = matches!(stretches[..], [[from, to]] if from <= 0.0 && given.length <= to);
+        k = (k * if is_whole { way.at_first } else { way.factor }).min(springs);
+    }
+}
+
+/// When a set of stretches is enough.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Enough {
+    /// On softer ground, which is only a start: it hardly changes, whatever the number of its stretches.
+    Roughly,
+    /// On softer ground: its ends hardly move.
+    Nearly,
+    /// On the given ground: it has all its digits, or as many as there are.
+    Exactly,
+}
+
+/// Newton's method on ground of one stiffness: whether the set is enough after so many solves at most.
+fn settle(
+    given: &PiecewiseScene,
+    springs: f64,
+    stretches: &mut Vec<[f64; 2]>,
+    (most, enough): (usize, Enough),
+    work: &mut Work,
+) -> Option<bool> {
+    /// Of the length: what ends move by at most where they hardly move.
+    const NEARLY: f64 = 1e-6;
+    /// Of what presses: by how much a set hardly changes.
+    const ROUGHLY: f64 = 1e-2;
+    /// All digits of a place.
+    const DIGITS: f64 = 4.0 * f64::EPSILON;
+    /// Or as many as there are: below this a set that comes no nearer is rounding.
+    const FEW: f64 = 1e-12;
+    let mut before = f64::INFINITY;
+    for _ in 0..most {
+        let next = pressed(given, &work.solve(given, springs, stretches)?)?;
+        let apart = distance(stretches, &next) / given.length;
+        let is_enough = match enough {
+            Enough::Roughly => apart <= NEARLY || difference(stretches, &next) <= ROUGHLY * total(&next),
+            Enough::Nearly => apart <= NEARLY,
+            Enough::Exactly => apart <= DIGITS || apart <= FEW && 0.5 * before <= apart,
+        };
+        (*stretches, before) = (next, apart);
+        if is_enough {
+            return Some(true);
+        }
+    }
+    Some(false)
+}
+
+/// How far the ends of two sets are apart at most.
+fn distance(a: &[[f64; 2]], b: &[[f64; 2]]) -> f64 {
+    if a.len() != b.len() {
+        return f64::INFINITY;
+    }
+    a.iter().flatten().zip(b.iter().flatten()).fold(0.0, |most, (a, b)| (a - b).abs().max(most))
+}
+
+/// How much of the beam is in one of two sets and not in the other.
+fn difference(a: &[[f64; 2]], b: &[[f64; 2]]) -> f64 {
+    let (mut both, mut rest) = (0.0, b);
+    for [from, to] in a {
+        rest = &rest[rest.partition_point(|next| next[1] <= *from)..];
+        let inside = rest.iter().take_while(|next| next[0] < *to);
+        both += inside.map(|next| next[1].min(*to) - next[0].max(*from)).sum::<f64>();
+    }
+    total(a) + total(b) - 2.0 * both
+}
+
+/// The length of all stretches of a set.
+fn total(set: &[[f64; 2]]) -> f64 {
+    set.iter().map(|[from, to]| to - from).sum()
+}
+
+/// The stretches on which a beam is below the surface of the ground, from left to right; [`None`] if numbers leave the range of `f64`.
+fn pressed(given: &PiecewiseScene, solved: &Solved<'_>) -> Option<Vec<[f64; 2]>> {
+    /// Places that are one, as a share of the length: two units in the last place.
+    const SAME: f64 = 4e-16;
+    /// Stretches that are none: a few of these.
+    const NOTHING: f64 = 1e-15;
+    /// An end that is so near to a break is there: between them a penetration is rounding.
+    const BESIDE: f64 = 1e-12;
+    let rounding = ROUNDING * solved.deepest();
+    let mut stretches: Vec<[f64; 2]> = Vec::new();
+    let mut ends = Vec::new();
+    solved.near_ground(|piece, presses, clearance| {
+        piece.outwards(clearance);
+        ends.clear();
+        ends.extend([piece.lo, piece.hi]);
+        ends.extend(sign_changes(clearance, piece.width()).into_iter().map(|s| piece.place(s)));
+        ends.sort_by(f64::total_cmp);
+        for end in ends.windows(2).filter(|w| w[0] < w[1]) {
+            let at = |share: f64| {
+                let x = end[0] + share * (end[1] - end[0]);
+                clearance.iter().rev().fold(0.0, |sum, c| sum * (x - piece.anchor).abs() + c)
+            };
+            let mut is_pressed = at(0.5) < 0.0;
+            if is_pressed != presses && [0.25, 0.5, 0.75].into_iter().all(|share| at(share).abs() <= rounding) {
+                is_pressed = presses;
+            }
+            match stretches.last_mut() {
+                _ if !is_pressed => {}
+                Some(last) if end[0] - last[1] <= SAME * given.length => last[1] = end[1],
+                _ => stretches.push([end[0], end[1]]),
+            }
+        }
+    })?;
+    // An end beside a break is there.
+    for end in stretches.iter_mut().flatten() {
+        let next = given.breakpoints.partition_point(|breakpoint| breakpoint.x < *end);
+        let beside =
+            [next.checked_sub(1), Some(next)].map(|i| given.breakpoints.get(i?).map(|breakpoint| breakpoint.x));
+        let apart = |x: &f64| (x - *end).abs();
+        let nearest = beside.into_iter().flatten().min_by(|a, b| apart(a).total_cmp(&apart(b)));
+        *end = nearest.filter(|x| apart(x) <= BESIDE * given.length).unwrap_or(*end);
+    }
+    stretches.retain(|[from, to]| NOTHING * given.length < to - from);
+    Some(stretches)
+}
