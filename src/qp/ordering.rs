@@ -124,7 +124,8 @@ mod tests {
             sorted.sort_unstable();
             assert!(sorted.into_iter().eq(0..n), "{name}: each unknown once");
             let part = matrix.part(&order, 0.0);
-            assert!(part.products() < 200 * n, "{name}: {} products", part.products());
+            // A full last row has n²/2 products, and a band few.
+            assert!(part.products() < n * n / 2 + 10 * n, "{name}: {} products", part.products());
             assert!(100 * part.products() < 30 * matrix.products(), "{name}: of {}", matrix.products());
         }
     }
