@@ -1,6 +1,6 @@
 //! The equations of a beam on an elastic foundation: a chain of links, each with the deflections `v` and the moments `M` of its two ends.
 //!
-//! Nodes are the supports, the ends of what is pressed, the point loads, the ends of distributed loads, the points of a polyline below
+//! Nodes are the supports, the ends of what is pressed, the point loads and couples, the ends of distributed loads, the points of a polyline below
 //! what is pressed, and so many between that no pressed link is longer than `1/λ`, `4 λ⁴ = k/EI`. On a link
 //!
 //! ```text
@@ -225,7 +225,7 @@ fn nodes(scene: &Scene, exact: &Exact, stiffness: f64) -> Vec<ChainNode> {
     }
     found.extend([0.0, length].map(|end| (end, What::End, 0.0)));
     found.extend(state.contacts.iter().flat_map(|c| [c.from, c.to]).map(|x| (x, What::ZoneEnd, 0.0)));
-    found.extend(load.point().iter().map(|p| (p.at, What::Load, 0.0)));
+    found.extend(load.concentrated().map(|acts| (acts.at, What::Load, 0.0)));
     found.extend(load.linear().iter().flat_map(|q| [q.from, q.to]).map(|x| (x, What::Load, 0.0)));
     let is_pressed = |x: f64| state.contacts.iter().any(|contact| contact.from < x && x < contact.to);
     for profile in scene.foundation().into_iter().chain(scene.beam().shape()) {

@@ -84,9 +84,14 @@ fn ground_that_gives_is_solved_and_otherwise_refused() {
     assert_eq!(code, Some(0));
     assert!((number(&by_depth["energy"]) + number(&json["contact_force"])).abs() <= 1e-9, "{by_depth}");
     assert!(number(&json["derivatives"]["foundation.stiffness"]["energy"]) > 0.0);
-    for command in ["explain soft.toml", "certify lying.toml forces.csv"] {
-        let run = folder.run(command);
-        assert_eq!((run.code, run.out.as_str()), (Some(2), ""), "{command}: {}", run.err);
-        assert!(run.err.contains("needs rigid ground, but `foundation.stiffness` is given"), "{command}: {}", run.err);
+    assert_eq!(folder.json("certify lying.toml forces.csv").0, Some(1));
+    for (format, title) in [("text", "\nLinks"), ("markdown", "\n## Links")] {
+        let run = folder.run(&format!("explain soft.toml --format {format}"));
+        assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{}", run.out);
+        assert!(run.out.contains(title) && run.out.contains("V right - V left + P = R"), "{}", run.out);
     }
+    // Loads and forces at nodes do not say how deep nodes are.
+    let run = folder.run("certify lying.toml forces.csv --load nodal");
+    assert_eq!((run.code, run.out.as_str()), (Some(2), ""), "{}", run.err);
+    assert!(run.err.contains("needs rigid ground, but `foundation.stiffness` is given"), "{}", run.err);
 }
