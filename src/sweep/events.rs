@@ -131,8 +131,12 @@ impl Search<'_> {
             return (roots, Some(start));
         }
         let place = |i: u32| start + (end - start) * ((f64::from(i) - PAST) / f64::from(PLACES));
-        // A row itself may be an event, as round numbers are: that is seen from beyond it only.
-        let beyond = |i: u32, row: f64| self.at(place(i), &[]).map_or(row, |_| place(i));
+        // A row itself may be an event, as round numbers are: that is seen from beyond it only. What a load does as it comes onto the beam
+        // there is outside of the range.
+        let beyond = |i: u32, row: f64| {
+            let there = Some(place(i)).filter(|there| self.sweep.has_same_loads(*there, row));
+            there.filter(|there| self.at(*there, &[]).is_some()).unwrap_or(row)
+        };
         let places: Vec<f64> =
             [beyond(0, start)].into_iter().chain((1..=PLACES).map(place)).chain([beyond(PLACES + 1, end)]).collect();
         let mut last: Option<At> = None;

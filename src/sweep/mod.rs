@@ -205,18 +205,33 @@ impl<'a> Sweep<'a> {
     ///
     /// Those of [`Scene::with_number`].
     pub fn scene(&self, value: f64) -> Result<Scene, SceneError> {
-        let by = value - self.scene.number(self.quantity).unwrap_or_default();
-        let with = self.with.iter().map(|moves| (moves.quantity, moves.number + moves.sign * by));
-        let length = self.scene.beam().length();
-        let (beyond, numbers): (Vec<_>, Vec<_>) = std::iter::once((self.quantity, value))
-            .chain(with)
-            .partition(|(quantity, at)| matches!(quantity, Quantity::PointAt(_)) && !(0.0..=length).contains(at));
+        let [numbers, beyond] = self.numbers(value);
         let none = beyond.into_iter().filter_map(|(quantity, _)| match quantity {
             Quantity::PointAt(i) => Some((Quantity::PointForce(i), 0.0)),
             _ => None,
         });
         // What is no load has no force, whatever it would have.
         self.scene.with_numbers(numbers.into_iter().chain(none))
+    }
+
+    /// The numbers for a value, and the places beyond the beam among them.
+    fn numbers(&self, value: f64) -> [Vec<(Quantity, f64)>; 2] {
+        let by = value - self.scene.number(self.quantity).unwrap_or_default();
+        let with = self.with.iter().map(|moves| (moves.quantity, moves.number + moves.sign * by));
+        let length = self.scene.beam().length();
+        let is_beyond =
+            |(quantity, at): &(Quantity, f64)| matches!(quantity, Quantity::PointAt(_)) && !(0.0..=length).contains(at);
+        let (beyond, numbers) = std::iter::once((self.quantity, value)).chain(with).partition(is_beyond);
+        [numbers, beyond]
+    }
+
+    /// True if the same loads are on the beam for two values.
+    fn has_same_loads(&self, a: f64, b: f64) -> bool {
+        let beyond = |value: f64| {
+            let [_, beyond] = self.numbers(value);
+            beyond.into_iter().map(|(quantity, _)| quantity).collect::<Vec<_>>()
+        };
+        beyond(a) == beyond(b)
     }
 
     /// A walk along the values.
