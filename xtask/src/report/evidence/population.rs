@@ -214,8 +214,8 @@ fn sentence(lines: &[Line]) -> String {
         format!("{} on {}", cell(factor.map(|s| s.median), 2), family.name())
     };
     format!(
-        "**One more correct digit of the support forces takes**, in the median of {} scenes of each kind of ground, so many times the \
-         intervals: {}; the exact solution is accurate to rounding.",
+        "**One more correct digit of the reactions needs**, in the median of {} problems of each kind of foundation, so many times as many \
+         intervals: {}; the grid-free solution is accurate to rounding.",
         SCENES[0],
         Family::ALL.map(digits).join(", ")
     )
