@@ -187,7 +187,7 @@ fn supports(enclosed: &EnclosedScene<'_>, pair: &Pair, load: Interval) -> Vec<Op
         for side in [0, 1] {
             let share = if given[1 - side] && enclosed.support(x).is_none_or(|s| s.slope.is_none()) { 6 } else { 24 };
             let c = Interval::exact(least_magnitude(clear[side]));
-            let turn = number(share) * Interval::exact(enclosed.stiffness) * Interval::exact(pair.gap) / (c * c * c);
+            let turn = number(share) * Interval::exact(enclosed.stiffest) * Interval::exact(pair.gap) / (c * c * c);
             match (given[side] || lies_beside(enclosed, pair, x, side), c.lo() <= 0.0) {
                 (true, _) => {}
                 (false, true) => return None,
@@ -313,7 +313,8 @@ pub(super) fn clear_from(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, end:
 fn bends_away(enclosed: &EnclosedScene<'_>, x: f64, end: f64, part: [f64; 2]) -> bool {
     let beyond = |place: f64| x.min(end) <= place && place <= x.max(end) && (place - x).abs() > 0.0;
     let is_free = end <= 0.0 || enclosed.length <= end;
-    if !is_free || enclosed.supports.iter().any(|support| beyond(support.x)) {
+    let is_joined = enclosed.joints.iter().any(|joint| beyond(joint.0));
+    if !is_free || is_joined || enclosed.supports.iter().any(|support| beyond(support.x)) {
         return false;
     }
     let load = enclosed.load;
@@ -339,7 +340,10 @@ pub(super) fn lies_beside(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, sid
     /// Halvings of the part in which the pressure must not be negative.
     const HALVINGS: usize = 8;
     let Some(support) = enclosed.support(x) else { return false };
-    let (stiffness, to_the_left) = (Interval::exact(enclosed.stiffness), side == 0);
+    let (stiffness, to_the_left) = (Interval::exact(enclosed.stiffest), side == 0);
+    if !enclosed.joints.is_empty() {
+        return false;
+    }
     let is_beside = |piece: &&Piece| (if to_the_left { piece.to } else { piece.from }).total_cmp(&x).is_eq();
     let Some(piece) = pair.pieces.iter().find(is_beside).filter(|piece| piece.pressed && pair.ground.is_none()) else {
         return false;

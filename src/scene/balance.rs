@@ -98,6 +98,9 @@ pub enum Unheld {
     /// There is no load, or the loads balance each other.
     #[error("no load presses on the beam: any position is one of rest")]
     NothingPresses,
+    /// Hinges, and nothing below that could stop the beam.
+    #[error("the beam is a mechanism: its hinges let it move without bending, and there is no foundation to stop it")]
+    Mechanism,
     /// Neither supports nor ground.
     #[error("there is neither a support nor a foundation: nothing carries the beam")]
     NothingCarries,
@@ -129,6 +132,15 @@ impl Balance {
     ///
     /// [`Unheld`] if nothing balances the loads.
     pub(super) fn of(scene: &Scene) -> Result<Self, Unheld> {
+        if scene.foundation().is_none() && scene.beam().bearings().is_empty() && scene.beam().is_mechanism() {
+            let is_held = scene.beam().is_held();
+            return if is_held { Err(Unheld::Mechanism) } else { Self::of_supports(scene) };
+        }
+        Self::of_supports(scene)
+    }
+
+    /// The same but for hinges.
+    fn of_supports(scene: &Scene) -> Result<Self, Unheld> {
         match scene.beam().supports() {
             [] => Self::of_free(scene),
             [support] if support.slope.is_none() => Self::about(scene, support),
@@ -246,7 +258,7 @@ impl Unheld {
             Self::Turns { grounded, at, moment } => {
                 Self::Turns { grounded, at: at * scale.length, moment: moment * scale.moment() }
             }
-            Self::NothingPresses | Self::NothingCarries => self,
+            Self::NothingPresses | Self::NothingCarries | Self::Mechanism => self,
         }
     }
 }

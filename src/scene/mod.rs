@@ -10,12 +10,14 @@ mod error;
 pub mod file;
 mod foundation;
 mod grid;
+mod known;
 mod load;
 mod number;
 pub(crate) mod pieces;
 pub(crate) mod polynomial;
 mod quantity;
 mod scale;
+mod stiffness;
 mod support;
 
 use std::sync::Arc;
@@ -31,6 +33,7 @@ pub use load::{CoupleLoad, LinearLoad, Load, PointLoad};
 pub use number::PathError;
 pub use quantity::{Profile, ProfileKey, Quantity};
 pub use scale::{Scale, Scaled};
+pub use stiffness::Joint;
 pub use support::{Bearing, Held, Support};
 
 /// A beam, its loads and the foundation below it, if there is one.
@@ -63,6 +66,7 @@ impl Scene {
     /// Every [`SceneError`] of [`Load::new`] and [`Foundation::checked`].
     pub fn new(beam: Beam, load: Load, foundation: Option<Foundation>) -> Result<Self, SceneError> {
         let load = load.checked(&beam)?;
+        load.check_at_joints(&beam)?;
         let foundation = foundation.map(|f| f.checked(&beam)).transpose()?.map(Arc::new);
         Ok(Self { title: String::new(), beam, load, foundation, stiffness: None, units: Units::default() })
     }

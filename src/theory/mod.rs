@@ -32,6 +32,7 @@ mod close;
 mod continuation;
 mod cosine;
 mod derivatives;
+mod divided;
 mod exact;
 mod forces;
 pub(crate) mod gauss;
@@ -59,6 +60,7 @@ mod springs;
 mod summary;
 mod tension;
 mod violation;
+mod way;
 
 pub use derivatives::{By, ContactDerivative, Derivative, Missing};
 pub use exact::{Exact, Sample};

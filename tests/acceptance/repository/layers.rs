@@ -91,7 +91,7 @@ fn the_certificate_moves_no_place() {
 
 /// Where all files are that a bound rests on, and how many lines of code they may have together.
 const KERNEL: &str = "src/certificate/kernel";
-const MOST_LINES: usize = 1484;
+const MOST_LINES: usize = 1719;
 
 /// The files of the kernel without their tests.
 fn kernel() -> BTreeMap<String, String> {
