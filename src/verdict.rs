@@ -178,6 +178,9 @@ pub enum Refusal {
     /// Its numbers are not all finite.
     #[error("it has numbers that are not finite")]
     NoNumbers,
+    /// The beam has a hinge.
+    #[error("it meets all conditions of beam theory, and no bound is proven of a beam with a hinge yet")]
+    Hinged,
     /// Nothing could be proven for the continuous beam.
     #[error("no finite bound on how far the beam may be off could be proven")]
     Unbounded,
@@ -274,7 +277,10 @@ impl Verdict {
     #[must_use]
     pub fn of_exact(scene: &Scene, exact: &Exact, demand: &Demand) -> Self {
         let certificate = ExactContacts::of(exact).proof(scene).map(|proof| proof.judge(Judged::Witness));
-        let own = if exact.solved {
+        let is_hinged = scene.beam().joints().iter().any(|joint| joint.stiffness.is_none());
+        let own = if exact.solved && is_hinged {
+            Some(Refusal::Hinged)
+        } else if exact.solved {
             certificate.as_ref().and_then(|c| differs_from_bounds(scene, c, &exact.state))
         } else if exact.state.is_finite() {
             Some(Refusal::Theory { residual: exact.residual })

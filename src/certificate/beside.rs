@@ -47,7 +47,8 @@ use super::support_forces::piece_at;
 pub(super) fn bends_away(enclosed: &EnclosedScene<'_>, x: f64, end: f64, part: [f64; 2]) -> bool {
     let beyond = |place: f64| x.min(end) <= place && place <= x.max(end) && (place - x).abs() > 0.0;
     let is_free = end <= 0.0 || enclosed.length <= end;
-    if !is_free || enclosed.supports.iter().any(|support| beyond(support.x)) {
+    let is_joined = enclosed.joints.iter().any(|joint| beyond(joint.0));
+    if !is_free || is_joined || enclosed.supports.iter().any(|support| beyond(support.x)) {
         return false;
     }
     let load = enclosed.load;
@@ -75,7 +76,7 @@ pub(super) fn opens(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, ends: [f6
     const HALVINGS: u32 = 16;
     let side = usize::from(ends[0].total_cmp(&x).is_eq());
     let is_tangent = enclosed.support(x).is_some_and(|support| keeps_slope(support, side));
-    if !is_tangent || is_turned(enclosed, ends) || pair.ground.is_some() || !enclosed.gap.is_smooth_between(ends[0], ends[1]) {
+    if !is_tangent || !is_uniform(enclosed) || is_turned(enclosed, ends) || pair.ground.is_some() || !enclosed.gap.is_smooth_between(ends[0], ends[1]) {
         return false;
     }
     let (piece, stiffness) = (piece_at(pair, 0.5 * (ends[0] + ends[1])), Interval::exact(enclosed.stiffness));
@@ -132,7 +133,9 @@ fn starts_along(enclosed: &EnclosedScene<'_>, support: &EnclosedSupport, side: u
 
 /// Whether the beam lies on the ground beside a support, on its left or on its right side, as the pair does: see above.
 pub(super) fn lies_beside(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, side: usize) -> bool {
-    let Some(support) = enclosed.support(x).filter(|_| pair.ground.is_none()) else { return false };
+    let Some(support) = enclosed.support(x).filter(|_| pair.ground.is_none() && is_uniform(enclosed)) else {
+        return false;
+    };
     let to_the_left = side == 0;
     let is_beside = |piece: &&Piece| (if to_the_left { piece.to } else { piece.from }).total_cmp(&x).is_eq();
     if !pair.pieces.iter().find(is_beside).is_some_and(|piece| piece.pressed) {
@@ -168,7 +171,12 @@ pub(super) fn lies_idle(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, ends:
         let [from, to] = beyond(part);
         from < to && presses_all_along(enclosed, part) && touches(enclosed, pair, [from, to])
     };
-    pair.ground.is_none() && starts && idle() && reaches(enclosed, x, side).any(touches_beyond)
+    pair.ground.is_none() && is_uniform(enclosed) && starts && idle() && reaches(enclosed, x, side).any(touches_beyond)
+}
+
+/// Whether the beam has one stiffness and no joints: what is proven here is not proven of others.
+fn is_uniform(enclosed: &EnclosedScene<'_>) -> bool {
+    enclosed.changes.is_empty() && enclosed.joints.is_empty()
 }
 
 /// Whether a couple acts in a part or at an end of it.

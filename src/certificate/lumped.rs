@@ -76,6 +76,7 @@ impl Lumped {
     /// [`NotLumped`]: a force that is none, or places that are not the inner nodes of equal intervals.
     pub fn new(scene: &Scene, forces: impl IntoIterator<Item = (f64, f64)>) -> Result<Self, NotLumped> {
         scene.is_placed_by_forces()?;
+        scene.is_uniform("a check of contact forces")?;
         let length = scene.beam().length();
         let mut inner = ContactLoad::sorted(length, forces)?;
         // An end of the beam that a support holds does not bend it.

@@ -41,6 +41,7 @@ mod bearings;
 mod beside;
 mod contact_load;
 mod double_sum;
+mod enclosed;
 mod judged;
 mod kernel;
 mod kkt;
@@ -66,16 +67,15 @@ pub use quantities::stiffness;
 pub use stretches::Stretch;
 pub use violations::{Violation, ViolationKind, violations, violations_at_nodes};
 
-use self::kernel::contact_node::{EnclosedScene, EnclosedSupport};
+use self::enclosed::{enclosed, in_intervals};
+use self::kernel::contact_node::EnclosedScene;
 use self::kernel::distance::{self, Error};
-use self::kernel::foundation::EnclosedFoundation;
-use self::kernel::gap::EnclosedGap;
 use self::kernel::held::hold_by_zones;
 use self::kernel::proof::{self, Pair, Piece};
 use self::largest::{extremes, largest};
 use self::quantities::energy;
 use self::standing::Standing;
-use crate::scene::{Balance, Beam, Foundation, Scale, Scaled, Scene, SceneError, Support};
+use crate::scene::{Beam, Scale, Scaled, Scene, SceneError};
 use crate::state::{Contact, ContactState, Nodes};
 pub(crate) use kernel::contact_node::Slope;
 #[cfg(feature = "proof")]
@@ -213,35 +213,6 @@ fn of_witness(pair: &Pair, [greatest, least]: [Interval; 2], beam: &Beam) -> Opt
     Some((Error { most, at: 0.5 * length, size: greatest.hi().max(-least.lo()) }, at_least))
 }
 
-/// The result of `act` on a scene that is made dimensionless and enclosed in intervals.
-fn enclosed<R>(scene: &Scene, act: impl FnOnce(&EnclosedScene<'_>, &Scaled) -> R) -> Result<R, SceneError> {
-    let scaled = scene.scaled()?;
-    Ok(in_intervals(&scaled.scene, scaled.balance, |enclosed| act(enclosed, &scaled)))
-}
-
-/// The result of `act` on a scene that is enclosed in intervals as it is.
-fn in_intervals<R>(scene: &Scene, balance: Balance, act: impl FnOnce(&EnclosedScene<'_>) -> R) -> R {
-    /// Where there is no foundation it is out of reach.
-    const NONE: Foundation = Foundation::Flat { depth: f64::INFINITY };
-    const STRAIGHT: Foundation = Foundation::Flat { depth: 0.0 };
-    let (stiffness, length) = (scene.beam().bending_stiffness(), scene.beam().length());
-    let given = [scene.foundation(), scene.beam().shape()];
-    let fewer = given.map(|profile| profile.and_then(Foundation::without_collinear_points));
-    let [ground, shape] = [0, 1].map(|k| fewer[k].as_ref().or(given[k]));
-    let profile = |given| EnclosedFoundation { given, length, bearings: &[] };
-    let alone = |bearing: &Support| [f64::INFINITY, bearing.level, f64::INFINITY].map(|depth| [bearing.at, depth]);
-    let bearings: Vec<_> = scene.beam().bearings().iter().flat_map(alone).collect();
-    let ground = EnclosedFoundation { bearings: &bearings, ..profile(ground.unwrap_or(&NONE)) };
-    let gap = EnclosedGap { ground, shape: profile(shape.unwrap_or(&STRAIGHT)) };
-    let (load, supports) = (standing::between(scene), EnclosedSupport::of(scene, &gap));
-    let turns = |about: &f64| !supports.iter().any(|s| s.is_fixed && (s.x - about).abs() <= 0.0);
-    let balanced_at = match balance {
-        Balance::Neutral { about, .. } => Some(about).filter(turns),
-        Balance::Held | Balance::Stands(_) => None,
-    };
-    act(&EnclosedScene { gap, load: &load, supports: &supports, balanced_at, stiffness, length })
-}
-
 /// The pair that a list of contacts proves; if that is not sharp, the best of it, of the list with corners that are touched besides, of
 /// that without contacts of no force, and of a beam that touches nowhere. Whatever the list, there is a bound for a beam that its supports hold.
 ///
@@ -369,7 +340,7 @@ impl Certificate {
     /// What was proven of any deflection. All factors are powers of two: only exponents change.
     fn of_any(enclosed: &EnclosedScene<'_>, scaled: &Scaled, pair: &Pair, [greatest, _]: [Interval; 2]) -> Self {
         let (scene, scale) = (&scaled.scene, &scaled.scale);
-        let energy = energy(&pair.pieces, enclosed.load, enclosed.stiffness) + pair.ground.unwrap_or(Interval::ZERO);
+        let energy = energy(&pair.pieces, enclosed) + pair.ground.unwrap_or(Interval::ZERO) + pair.turned;
         let standing = Standing::of(enclosed, scene.load());
         let energy = standing.energy(energy);
         let gap = pair.gap;

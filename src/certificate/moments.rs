@@ -48,9 +48,12 @@ use super::support_forces::clear_from;
 
 /// Bounds of the greatest and of the least moment; the former is [`None`] where nothing could be shown beside a support.
 pub(super) fn moments(enclosed: &EnclosedScene<'_>, pair: &Pair) -> [Option<Interval>; 2] {
-    let EnclosedScene { stiffness, length, .. } = *enclosed;
-    let moment = |v: &Polynomial| v.derivative().derivative().times(Interval::exact(-stiffness));
-    let pieces: Vec<([f64; 2], Polynomial)> = pair.pieces.iter().map(|p| ([p.from, p.to], moment(&p.v))).collect();
+    let EnclosedScene { length, .. } = *enclosed;
+    let moment = |ends: [f64; 2], v: &Polynomial| {
+        v.derivative().derivative().times(Interval::exact(-enclosed.stiffness_between(ends)))
+    };
+    let moment = |ends: [f64; 2], v: &Polynomial| (ends, moment(ends, v));
+    let pieces: Vec<([f64; 2], Polynomial)> = pair.pieces.iter().map(|p| moment([p.from, p.to], &p.v)).collect();
     let [greatest, least] = extremes(pieces.iter().copied());
     // Where the beam is not built in at an end, there is a moment of zero; couples by the ground beside it leave others near by.
     let is_loaded = |x: f64| enclosed.load.couples.iter().any(|(at, _)| at.total_cmp(&x).is_eq());
@@ -70,7 +73,7 @@ pub(super) fn moments(enclosed: &EnclosedScene<'_>, pair: &Pair) -> [Option<Inte
 fn error(enclosed: &EnclosedScene<'_>, pair: &Pair, pieces: &[([f64; 2], Polynomial)]) -> Option<(f64, bool)> {
     /// Shares of what lies between two supports and of what is clear that windows of `4w` and `2w` take: no more than a whole.
     const WITHIN: [f64; 2] = [0.249, 0.499];
-    let EnclosedScene { stiffness, length, supports, load, .. } = *enclosed;
+    let EnclosedScene { stiffest: stiffness, length, supports, load, .. } = *enclosed;
     let width = |ends: &[f64; 2]| Interval::length(ends[0], ends[1]);
     let jumps = pieces.windows(2).filter(|w| enclosed.support(w[1].0[0]).is_none());
     let jump = |w: &[([f64; 2], Polynomial)]| {

@@ -1,18 +1,20 @@
 //! From a proven pair to other quantities than the deflection: energy, and the paper's structural stiffness.
 
+use super::kernel::contact_node::EnclosedScene;
 use super::kernel::interval::Interval;
-use super::kernel::load::EnclosedLoad;
 use super::kernel::polynomial::Polynomial;
 use super::kernel::proof::Piece;
 use crate::scene::{Concentrated, Load};
 
 /// `J(v) = ½∫EI v''² dx − ∫q v dx − Σ P v − Σ C v'` of a deflection, (17) with point loads and couples. Pieces end where the load changes.
-pub(super) fn energy(pieces: &[Piece], load: &EnclosedLoad, stiffness: f64) -> Interval {
+pub(super) fn energy(pieces: &[Piece], enclosed: &EnclosedScene<'_>) -> Interval {
+    let load = enclosed.load;
     let mut sum = Interval::ZERO;
     for Piece { from, to, v, .. } in pieces {
         let width = Interval::exact(*to) - Interval::exact(*from);
         let bent = v.derivative().derivative();
-        let bending = bent.integral_of_product(&bent, width).not_negative() * Interval::exact(0.5 * stiffness);
+        let bending = bent.integral_of_product(&bent, width).not_negative()
+            * Interval::exact(0.5 * enclosed.stiffness_between([*from, *to]));
         let done = Polynomial::new(&load.line(*from, [*from, *to])).integral_of_product(v, width)
             + load.point(*from) * v.at(Interval::ZERO)
             + load.couple(*from) * v.derivative().at(Interval::ZERO);

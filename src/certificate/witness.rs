@@ -8,7 +8,7 @@
 //!
 //! ```text
 //! EI v''(x−) = EI v''(x+) + C,     EI v'' = 0 at an end of the beam, given by the loads beside an overhang
-//! ∂v''(a)/∂θ_a = −4/L,  ∂v''(a)/∂θ_b = −2/L,     ∂v''(b)/∂θ_a = 2/L,  ∂v''(b)/∂θ_b = 4/L     in a span from a to b
+//! ∂v''(a)/∂θ_a = −4/L,  ∂v''(a)/∂θ_b = −2/L,     ∂v''(b)/∂θ_a = 2/L,  ∂v''(b)/∂θ_b = 4/L     in a uniform span from a to b
 //! ```
 //!
 //! a linear system with three diagonals. Where the ground is level with a support it may hold the slope, which is decided by
@@ -48,7 +48,7 @@ pub(super) fn nodes(
             nodes.extend([ContactNode::start(from), ContactNode::on_ground(to, true)]);
         } else if enclosed.support(from).is_some() {
             // A point of contact at a support is the support.
-        } else if from == 0.0 || from == enclosed.length || enclosed.gap.is_corner(from) {
+        } else if from == 0.0 || from == enclosed.length || enclosed.is_edge(from) {
             nodes.push(ContactNode::free(from));
         } else {
             nodes.push(ContactNode::on_ground(from, false));
@@ -86,7 +86,7 @@ pub(super) fn with_touched(
     for Piece { from, to, v, .. } in pair.pieces.iter().filter(|piece| !piece.pressed && 0.0 < pair.lifted) {
         let touches = |x: &f64| {
             let clearance = enclosed.gap.depth(*x) - v.at(Interval::length(*from, *x));
-            let carries = *x <= 0.0 || enclosed.length <= *x || enclosed.gap.is_corner(*x);
+            let carries = *x <= 0.0 || enclosed.length <= *x || enclosed.is_edge(*x);
             clearance.lo() <= ARMS * pair.lifted && carries && enclosed.support(*x).is_none()
         };
         let places = enclosed.gap.breaks(*from, *to).into_iter().chain([*from, *to]);
@@ -96,6 +96,13 @@ pub(super) fn with_touched(
     // A step has two points, and a contact may be there already.
     all.dedup_by(|second, first| second.from <= first.from);
     (contacts.len() < all.len()).then_some(all)
+}
+
+impl EnclosedScene<'_> {
+    /// Whether the beam may rest on a place and turn there: on a corner of the gap, or with a joint.
+    fn is_edge(&self, x: f64) -> bool {
+        self.gap.is_corner(x) || self.joints.iter().any(|joint| joint.0.total_cmp(&x).is_eq())
+    }
 }
 
 impl EnclosedSupport {
@@ -236,24 +243,26 @@ fn changes(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Option<Vec<f6
     let is_hinge: Vec<bool> = nodes.iter().map(|j| matches!(j.slope, Slope::Free(_)) && !built_in(j)).collect();
     // Rows `[below, diagonal, above, right side]`.
     let mut rows: Vec<[f64; 4]> = is_hinge.iter().map(|hinge| [0.0, f64::from(u8::from(!hinge)), 0.0, 0.0]).collect();
+    let stiffness = |x: f64, left: bool| enclosed.stiffness_beside(x, left).middle() / enclosed.unit();
     for i in 0..=nodes.len() {
         let ends = [i.checked_sub(1).map(|i| &nodes[i]), nodes.get(i)];
         let Some(span) = enclosed.span(ends[0], ends[1]) else { continue };
         // The moments of an overhang do not depend on its slope.
-        let stiff = if let [Some(a), Some(b)] = ends { 2.0 / (b.x - a.x) } else { 0.0 };
+        let [[near, across], [_, far]] =
+            if let [Some(_), Some(_)] = ends { span.answer(enclosed) } else { [[0.0; 2]; 2] };
         if 0 < i && is_hinge[i - 1] {
-            rows[i - 1][1] += 2.0 * stiff;
-            rows[i - 1][2] += stiff;
-            rows[i - 1][3] += span.start[2].middle();
+            rows[i - 1][1] -= near;
+            rows[i - 1][2] -= across;
+            rows[i - 1][3] += span.start[2].middle() * stiffness(span.from, false);
         }
         if i < nodes.len() && is_hinge[i] {
-            rows[i][0] += stiff;
-            rows[i][1] += 2.0 * stiff;
-            rows[i][3] -= span.end[2].middle();
+            rows[i][0] -= across;
+            rows[i][1] += far;
+            rows[i][3] -= span.end[2].middle() * stiffness(span.to, true);
         }
     }
     for (row, node) in rows.iter_mut().zip(nodes).zip(&is_hinge).filter(|(_, hinge)| **hinge).map(|(both, _)| both) {
-        row[3] += enclosed.load.couple(node.x).middle() / enclosed.stiffness;
+        row[3] += enclosed.load.couple(node.x).middle() / enclosed.unit();
     }
     tridiagonal(rows)
 }
@@ -279,6 +288,8 @@ fn at_corners(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
     for node in nodes.iter_mut().filter(|node| enclosed.support(node.x).is_none()) {
         let Slope::Free(slope) = &mut node.slope else { continue };
         let [before, after] = enclosed.gap.slopes(node.x);
+        // The slope of a node is that beyond its joint.
+        let before = before.filter(|_| !enclosed.joints.iter().any(|joint| joint.0.total_cmp(&node.x).is_eq()));
         let margin = |bound: f64| INSIDE * (bound.abs() + slope.abs());
         let least = before.filter(|_| 0.0 < node.x).map_or(f64::NEG_INFINITY, |b| b + margin(b));
         let most = after.filter(|_| node.x < enclosed.length).map_or(f64::INFINITY, |a| a - margin(a));

@@ -1,6 +1,6 @@
 //! What is given, in words: the scene as the program understood it, before any answer.
 
-use palkki::scene::{Foundation, Scene, Support};
+use palkki::scene::{Foundation, Joint, Scene, Support};
 
 use super::table::Labels;
 
@@ -9,9 +9,18 @@ pub(super) fn given(scene: &Scene, labels: &Labels) -> Vec<(&'static str, String
     let beam = format!(
         "length {}, bending stiffness {}",
         labels.length.value(scene.beam().length()),
-        labels.bending_stiffness.value(scene.beam().bending_stiffness()),
+        stiffness(scene, labels),
     );
     let mut lines = vec![("beam", beam)];
+    if !scene.beam().joints().is_empty() {
+        let one = |joint: &Joint| {
+            let at = labels.length.value(joint.at);
+            joint
+                .stiffness
+                .map_or_else(|| format!("hinge at {at}"), |k| format!("at {at}, stiffness {}", labels.moment.value(k)))
+        };
+        lines.push(("joints", few(&scene.beam().joints().iter().map(one).collect::<Vec<_>>())));
+    }
     if !scene.beam().is_simple() {
         lines.push(("supports", supports(scene, labels)));
     }
@@ -23,6 +32,16 @@ pub(super) fn given(scene: &Scene, labels: &Labels) -> Vec<(&'static str, String
     let ground = scene.ground_stiffness().map_or(ground.clone(), gives);
     lines.extend([("load", load(scene, labels)), ("foundation", ground)]);
     lines
+}
+
+/// The bending stiffness, or that of each step.
+fn stiffness(scene: &Scene, labels: &Labels) -> String {
+    let step =
+        |&[at, value]: &[f64; 2]| format!("{} from {}", labels.bending_stiffness.value(value), labels.number(at));
+    match scene.beam().steps() {
+        [] => labels.bending_stiffness.value(scene.beam().bending_stiffness()),
+        steps => few(&steps.iter().map(step).collect::<Vec<_>>()),
+    }
 }
 
 fn supports(scene: &Scene, labels: &Labels) -> String {

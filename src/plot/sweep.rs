@@ -124,7 +124,10 @@ fn name(quantity: Quantity, scene: &Scene) -> (&'static str, Option<String>) {
     let stiffness = moment.as_ref().zip(length.as_ref()).map(|(moment, length)| format!("{moment}·{length}"));
     match quantity {
         Quantity::Length => ("length of the beam", length),
-        Quantity::BendingStiffness => ("bending stiffness", stiffness),
+        Quantity::BendingStiffness | Quantity::StepStiffness(_) => ("bending stiffness", stiffness),
+        Quantity::StepAt(_) => ("place where the bending stiffness changes", length),
+        Quantity::JointAt(_) => ("place of the joint", length),
+        Quantity::JointStiffness(_) => ("stiffness of the joint", moment),
         Quantity::Uniform => ("uniform load", pressure),
         Quantity::LinearFrom(_) | Quantity::LinearTo(_) => ("end of the distributed load", length),
         Quantity::LinearStart(_) | Quantity::LinearEnd(_) => ("distributed load at its end", pressure),

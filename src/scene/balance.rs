@@ -15,7 +15,7 @@
 
 use std::cmp::Ordering;
 
-use super::error::{in_full, shown};
+use super::written::{beside, carriers, fulcrum, rounded, shown};
 use super::{Concentrated, Foundation, Scale, Scene, Support};
 use crate::double::Double;
 
@@ -96,6 +96,9 @@ pub enum Unheld {
     /// There is no load, or the loads balance each other.
     #[error("no load presses on the beam: any position is one of rest")]
     NothingPresses,
+    /// Hinges, and nothing below that could stop the beam.
+    #[error("the beam is a mechanism: its hinges let it move without bending, and there is no foundation to stop it")]
+    Mechanism,
     /// Neither supports nor ground.
     #[error("there is neither a support nor a foundation: nothing carries the beam")]
     NothingCarries,
@@ -127,6 +130,15 @@ impl Balance {
     ///
     /// [`Unheld`] if nothing balances the loads.
     pub(super) fn of(scene: &Scene) -> Result<Self, Unheld> {
+        if scene.foundation().is_none() && scene.beam().bearings().is_empty() && scene.beam().is_mechanism() {
+            let is_held = scene.beam().is_held();
+            return if is_held { Err(Unheld::Mechanism) } else { Self::of_supports(scene) };
+        }
+        Self::of_supports(scene)
+    }
+
+    /// The same but for hinges.
+    fn of_supports(scene: &Scene) -> Result<Self, Unheld> {
         match scene.beam().supports() {
             [] => Self::of_free(scene),
             [support] if support.slope.is_none() => Self::about(scene, support),
@@ -247,7 +259,7 @@ impl Unheld {
             Self::Turns { grounded, at, moment } => {
                 Self::Turns { grounded, at: at * scale.length, moment: moment * scale.moment() }
             }
-            Self::NothingPresses | Self::NothingCarries => self,
+            Self::NothingPresses | Self::NothingCarries | Self::Mechanism => self,
         }
     }
 }
@@ -271,33 +283,6 @@ fn corner(scene: &Scene, at: f64, there: impl Fn(f64) -> bool) -> Option<f64> {
         return Some(bearing.at);
     }
     profiles.into_iter().flat_map(beside).flatten().find(|&x| inside(x) && there(x) && carries(x))
-}
-
-/// What can carry a beam without supports that hold, with the outermost places of it.
-fn carriers(grounded: bool, ends: [f64; 2]) -> String {
-    let [from, to] = ends.map(shown);
-    match (grounded, from == to) {
-        (true, _) => format!("the ground ({from} … {to})"),
-        (false, true) => format!("the only support that pushes ({from})"),
-        (false, false) => format!("the supports that push ({from} … {to})"),
-    }
-}
-
-/// Over what a beam turns whose loads are at a place outside these: its end on ground, and else the outermost support.
-fn fulcrum(grounded: bool, ends: [f64; 2], at: f64) -> String {
-    let (side, end) = if at < ends[0] { ("left", ends[0]) } else { ("right", ends[1]) };
-    if grounded { format!("its {side} end") } else { format!("its support at x = {}", shown(end)) }
-}
-
-/// To four significant digits.
-fn rounded(value: f64) -> String {
-    shown(format!("{value:.3e}").parse().unwrap_or(value))
-}
-
-/// The same of a place that is not on the beam, with all its digits where four would put it there.
-fn beside(at: f64, [from, to]: [f64; 2]) -> String {
-    let rounded: f64 = format!("{at:.3e}").parse().unwrap_or(at);
-    if (from..=to).contains(&rounded) { in_full(at) } else { shown(rounded) }
 }
 
 /// A sum in twice the precision, and how far the rounding of what is given may have moved it.

@@ -1,17 +1,21 @@
-//! The beam: elastic, of constant bending stiffness, with its unloaded shape and its supports.
+//! The beam: elastic, with its bending stiffness, its joints, its unloaded shape and its supports.
 
 use std::sync::Arc;
 
 use super::error::{SceneError, positive};
 use super::quantity::{Profile, ProfileKey, Quantity};
 use super::support::{Support, sorted};
-use super::{Foundation, Scale, pieces};
+use super::{Foundation, Joint, Scale, pieces};
 
 /// An elastic beam from `x = 0` to `x = l`: straight and on two simple supports at its ends, unless it is said otherwise.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Beam {
     length: f64,
+    /// The least one.
     bending_stiffness: f64,
+    /// From each place on another one; none if there is one from end to end.
+    steps: Vec<[f64; 2]>,
+    joints: Vec<Joint>,
     supports: Vec<Support>,
     /// Those that only push.
     bearings: Vec<Support>,
@@ -31,7 +35,8 @@ impl Beam {
         let length = positive(Quantity::Length, length)?;
         let bending_stiffness = positive(Quantity::BendingStiffness, bending_stiffness)?;
         let supports = vec![Support::simple(0.0), Support::simple(length)];
-        Ok(Self { length, bending_stiffness, supports, bearings: Vec::new(), given: vec![0, 1], shape: None })
+        let (steps, joints, bearings) = (Vec::new(), Vec::new(), Vec::new());
+        Ok(Self { length, bending_stiffness, steps, joints, supports, bearings, given: vec![0, 1], shape: None })
     }
 
     /// The same beam on other supports, in any order; none at all is a beam that merely lies on the ground.
@@ -45,7 +50,7 @@ impl Beam {
         let (push, hold): (Vec<_>, Vec<_>) = all.into_iter().partition(|(_, support)| support.pushes_only);
         let given = hold.iter().chain(&push).map(|(given, _)| *given).collect();
         let [supports, bearings] = [hold, push].map(|these| these.into_iter().map(|(_, support)| support).collect());
-        Self { supports, bearings, given, ..self }.with_definite_slopes()
+        Self { supports, bearings, given, ..self }.with_free_joints()?.with_definite_slopes()
     }
 
     /// The same beam with an own shape `w0(x)`, the depth of its axis as long as nothing acts on it, positive downwards: any of
@@ -90,10 +95,32 @@ impl Beam {
         self.length
     }
 
-    /// `EI` \[force · length²\].
+    /// `EI`, in steps the least one \[force · length²\].
     #[must_use]
     pub fn bending_stiffness(&self) -> f64 {
         self.bending_stiffness
+    }
+
+    /// `(x_i, EI_i)`, the bending stiffness from each place on; empty if it is one from end to end \[length, force · length²\].
+    #[must_use]
+    pub fn steps(&self) -> &[[f64; 2]] {
+        &self.steps
+    }
+
+    /// Its joints, in the order in which they were given.
+    #[must_use]
+    pub fn joints(&self) -> &[Joint] {
+        &self.joints
+    }
+
+    /// The same beam with this least bending stiffness and these steps.
+    pub(super) fn stiff(self, bending_stiffness: f64, steps: Vec<[f64; 2]>) -> Self {
+        Self { bending_stiffness, steps, ..self }
+    }
+
+    /// The same beam with these joints.
+    pub(super) fn joined(self, joints: Vec<Joint>) -> Self {
+        Self { joints, ..self }
     }
 
     /// What holds it, from left to right, without the supports that only push.
@@ -148,10 +175,12 @@ impl Beam {
         self.shape.clone()
     }
 
-    /// True for the paper's beam: straight, on two simple supports at its ends, both at level 0.
+    /// True for the paper's beam: straight, of one bending stiffness, on two simple supports at its ends, both at level 0.
     #[must_use]
     pub fn is_simple(&self) -> bool {
         self.shape.is_none()
+            && self.changes().next().is_none()
+            && self.joints.is_empty()
             && self.bearings.is_empty()
             && self.supports == [Support::simple(0.0), Support::simple(self.length)]
     }
@@ -165,8 +194,15 @@ impl Beam {
             slope: s.slope.map(|slope| slope * (length / depth)),
             ..*s
         };
+        let steps = self.steps.iter().map(|&[at, value]| [pieces::place(at / length), value / stiffness]).collect();
+        let joint = |joint: &Joint| Joint {
+            at: joint.at / length,
+            stiffness: joint.stiffness.map(|value| value / stiffness * length),
+        };
         let beam = Self::new(self.length / length, self.bending_stiffness / stiffness)?
-            .with_supports(self.supports_as_given().iter().map(support).collect())?;
+            .with_supports(self.supports_as_given().iter().map(support).collect())?
+            .stiff(self.bending_stiffness / stiffness, steps)
+            .joined(self.joints.iter().map(joint).collect());
         match &self.shape {
             Some(shape) => beam.with_shape(shape.scaled(length, depth)),
             None => Ok(beam),

@@ -1,11 +1,10 @@
 //! What can be wrong with a scene: the quantity, its value and what is required of it.
 
-use super::Scene;
 use super::balance::Unheld;
 use super::grid::MOST_FITTING;
 use super::quantity::{Profile, ProfileKey, Quantity};
 use super::scale::Scale;
-use crate::text::Results;
+use super::written::{against, shown};
 
 /// Why a scene was refused.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -109,6 +108,61 @@ pub enum SceneError {
         other: f64,
         /// The distance that is too small still.
         least: f64,
+    },
+    /// A bending stiffness in steps without steps.
+    #[error("`beam.bending_stiffness.steps` needs at least one pair [x, stiffness], but has none")]
+    NoSteps,
+    /// A step of the bending stiffness, or a joint, that is not where it could be.
+    #[error("`{quantity}` must {expected}, but is {}", shown(*value))]
+    Misplaced {
+        /// Which place.
+        quantity: Quantity,
+        /// Its value.
+        value: f64,
+        /// What is required of it.
+        expected: &'static str,
+    },
+    /// A bending stiffness of a step that is not positive.
+    #[error("`{quantity}` must be positive and finite, but is {}; a hinge is one of `beam.joints`", shown(*value))]
+    StepNotPositive {
+        /// Which number.
+        quantity: Quantity,
+        /// Its value.
+        value: f64,
+    },
+    /// Two joints at one place.
+    #[error("`{quantity}` is {}, and another joint is at x = {}", shown(*value), shown(*other))]
+    JointsTooClose {
+        /// The one of them that is given later.
+        quantity: Quantity,
+        /// Where it is.
+        value: f64,
+        /// Where the other one is.
+        other: f64,
+    },
+    /// A joint where the beam is built in.
+    #[error("`{quantity}` is {}, where a support is `built_in`: it holds the slope on both sides, and nothing turns", shown(*value))]
+    JointAtBuiltIn {
+        /// Which joint.
+        quantity: Quantity,
+        /// Where it is.
+        value: f64,
+    },
+    /// A couple at a joint.
+    #[error("`{quantity}` is {}, where a joint is: give it a place beside the joint, on the side on which it acts", shown(*value))]
+    CoupleAtJoint {
+        /// Which couple.
+        quantity: Quantity,
+        /// Where it acts.
+        value: f64,
+    },
+    /// Something that does not know a part of the scene.
+    #[error("{what} cannot compute {feature} yet")]
+    NotKnown {
+        /// What was asked for.
+        what: &'static str,
+        /// What it does not know.
+        feature: &'static str,
     },
     /// A step in the own shape: an axis has none.
     #[error("`{quantity}` is the second point at x = {}: the axis of a beam has no step", shown(*value))]
@@ -271,6 +325,11 @@ impl SceneError {
             | Self::PointsDoNotCover { quantity, .. }
             | Self::SupportsTooClose { quantity, .. }
             | Self::StepInShape { quantity, .. }
+            | Self::Misplaced { quantity, .. }
+            | Self::StepNotPositive { quantity, .. }
+            | Self::JointsTooClose { quantity, .. }
+            | Self::JointAtBuiltIn { quantity, .. }
+            | Self::CoupleAtJoint { quantity, .. }
             | Self::PushesBuiltIn { quantity, .. }
             | Self::Overflow { quantity, .. } => Some(quantity),
             Self::NoCoefficients { of } | Self::TooFewPoints { of, .. } => {
@@ -282,33 +341,9 @@ impl SceneError {
             | Self::ValleyAtSupport { .. } => Some(Quantity::Profile(Profile::Foundation, ProfileKey::Whole)),
             Self::CornerAtBuiltIn { .. } => Some(Quantity::Profile(Profile::Shape, ProfileKey::Whole)),
             Self::NeedsRigidGround { .. } => Some(Quantity::GroundStiffness),
+            Self::NoSteps => Some(Quantity::BendingStiffness),
             Self::Unheld(_) | Self::SupportBetweenNodes { .. } => Some(Quantity::Supports),
-            Self::TooFewIntervals { .. } | Self::NoMemory { .. } => None,
-        }
-    }
-}
-
-impl Scene {
-    /// Whether the ground of a scene is rigid, or there is none.
-    ///
-    /// # Errors
-    ///
-    /// [`SceneError::NeedsRigidGround`] if not, naming what asked for it.
-    pub fn on_rigid_ground(&self, what: &'static str) -> Result<(), SceneError> {
-        self.ground_stiffness().map_or(Ok(()), |_| Err(SceneError::NeedsRigidGround { what }))
-    }
-
-    /// Whether contact forces at nodes, without the lengths over which they act, determine the position of the beam: not if supports do
-    /// not hold it, on ground that gives way below each force by an amount that depends on that length.
-    ///
-    /// # Errors
-    ///
-    /// [`SceneError::NeedsRigidGround`] if not.
-    pub fn is_placed_by_forces(&self) -> Result<(), SceneError> {
-        if self.beam.is_held() {
-            Ok(())
-        } else {
-            self.on_rigid_ground("a check of nodal loads and forces that alone hold a beam")
+            Self::TooFewIntervals { .. } | Self::NoMemory { .. } | Self::NotKnown { .. } => None,
         }
     }
 }
@@ -320,33 +355,6 @@ fn fitting(fits: Option<usize>) -> String {
             format!("the least number of intervals with a node at every support is {least} (--intervals {least})")
         }
         None => format!("no number of intervals up to {MOST_FITTING} has a node at every support"),
-    }
-}
-
-/// A number as a message has it: as it is written in the file, or with six digits if it was computed.
-pub(crate) fn shown(value: f64) -> String {
-    /// Nobody writes a number with more digits; a sum or a product of such numbers mostly has more.
-    const WRITTEN: usize = 12;
-    let text = in_full(value);
-    let digits = text.split('e').next().unwrap_or_default().chars().filter(char::is_ascii_digit).count();
-    if digits <= WRITTEN || !value.is_finite() { text } else { Results::default().number(value) }
-}
-
-/// The same of a number that is compared with another one: with all digits where six would make them equal.
-pub(super) fn against(value: f64, other: f64) -> String {
-    let text = shown(value);
-    if text == shown(other) { in_full(value) } else { text }
-}
-
-/// All digits: with a power of ten where a row of zeros would have to be counted.
-pub(super) fn in_full(value: f64) -> String {
-    // No minus before zero.
-    let value = value + 0.0;
-    let size = value.abs();
-    if size == 0.0 || !value.is_finite() || (1e-5..1e16).contains(&size) {
-        value.to_string()
-    } else {
-        format!("{value:e}")
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::error::shown;
+use super::written::shown;
 use super::{Foundation, Profile};
 use crate::text::Results;
 

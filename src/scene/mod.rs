@@ -11,20 +11,22 @@ mod far_depths;
 pub mod file;
 mod foundation;
 mod grid;
+mod known;
 mod load;
 mod number;
 pub(crate) mod pieces;
 pub(crate) mod polynomial;
 mod quantity;
 mod scale;
+mod stiffness;
 mod support;
+mod written;
 
 use std::sync::Arc;
 
 pub use balance::{Balance, Resultant, Unheld};
 pub use beam::Beam;
 pub use error::SceneError;
-pub(crate) use error::shown;
 pub use far_depths::FarDepths;
 pub use foundation::Foundation;
 pub use grid::Grid;
@@ -34,7 +36,9 @@ pub use load::{CoupleLoad, LinearLoad, Load, PointLoad};
 pub use number::PathError;
 pub use quantity::{Profile, ProfileKey, Quantity};
 pub use scale::{Scale, Scaled};
+pub use stiffness::Joint;
 pub use support::{Bearing, Held, Support};
+pub(crate) use written::shown;
 
 /// A beam, its loads and the foundation below it, if there is one.
 #[derive(Debug, Clone, PartialEq)]
@@ -81,6 +85,7 @@ impl Scene {
         stiffness: Option<f64>,
     ) -> Result<Self, SceneError> {
         let load = load.checked(&beam)?;
+        load.check_at_joints(&beam)?;
         let stiffness = stiffness.map(|k| error::positive(Quantity::GroundStiffness, k)).transpose()?;
         let checked = |foundation: Foundation| match stiffness {
             None => foundation.checked(&beam),

@@ -1,7 +1,7 @@
 //! A number of a scene by its path, as a scene file would write it: what it is, and the same scene with another value.
 
 use super::quantity::{Profile, ProfileKey, Quantity};
-use super::{Beam, CoupleLoad, Foundation, LinearLoad, Load, PointLoad, Scene, SceneError, Support};
+use super::{Beam, CoupleLoad, Foundation, Joint, LinearLoad, Load, PointLoad, Scene, SceneError, Support};
 
 /// A path that leads to no number of the scene that can be varied.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -84,8 +84,10 @@ impl Scene {
                 *number = value;
             }
         }
-        let Numbers { stiffness, supports, shape, uniform, linear, point, couple, foundation, springs } = numbers;
-        let beam = Beam::new(self.beam.length(), stiffness)?.with_supports(supports)?;
+        let Numbers { stiffness, steps, joints, supports, shape, uniform, linear, point, couple, foundation, springs } =
+            numbers;
+        let beam = Beam::new(self.beam.length(), stiffness)?.with_supports(supports)?.with_joints(joints)?;
+        let beam = if steps.is_empty() { beam } else { beam.with_steps(steps)? };
         let beam = match shape {
             Some(shape) => beam.with_shape(shape)?,
             None => beam,
@@ -114,7 +116,13 @@ impl Scene {
 
     /// The numbers that can be varied.
     fn groups(&self) -> Vec<Group> {
-        let mut groups = vec![Group::one(Quantity::BendingStiffness)];
+        let steps = self.beam.steps().len();
+        let mut groups = if steps == 0 { vec![Group::one(Quantity::BendingStiffness)] } else { Vec::new() };
+        groups.extend([Quantity::StepAt, Quantity::StepStiffness].map(|of| Group::each(of, steps)));
+        groups.push(Group::each(Quantity::JointAt, self.beam.joints().len()));
+        for (i, joint) in self.beam.joints().iter().enumerate() {
+            groups.extend(joint.stiffness.map(|_| Group::one(Quantity::JointStiffness(i))));
+        }
         let supports = self.beam.supports_as_given().len();
         groups.extend([Quantity::SupportAt, Quantity::SupportLevel].map(|of| Group::each(of, supports)));
         // In the order of the file.
@@ -236,6 +244,8 @@ impl Group {
 /// The numbers of a scene, to be changed.
 struct Numbers {
     stiffness: f64,
+    steps: Vec<[f64; 2]>,
+    joints: Vec<Joint>,
     /// In the order in which they were given, which is what indices count.
     supports: Vec<Support>,
     shape: Option<Foundation>,
@@ -252,6 +262,8 @@ impl Numbers {
         let (beam, load) = (&scene.beam, &scene.load);
         Self {
             stiffness: beam.bending_stiffness(),
+            steps: beam.steps().to_vec(),
+            joints: beam.joints().to_vec(),
             supports: beam.supports_as_given(),
             shape: beam.shape().cloned(),
             uniform: load.uniform(),
@@ -266,7 +278,11 @@ impl Numbers {
     fn at(&mut self, quantity: Quantity) -> Option<&mut f64> {
         match quantity {
             Quantity::Length | Quantity::Supports | Quantity::TotalLoad => None,
-            Quantity::BendingStiffness => Some(&mut self.stiffness),
+            Quantity::BendingStiffness => Some(&mut self.stiffness).filter(|_| self.steps.is_empty()),
+            Quantity::StepAt(i) => self.steps.get_mut(i).map(|step| &mut step[0]),
+            Quantity::StepStiffness(i) => self.steps.get_mut(i).map(|step| &mut step[1]),
+            Quantity::JointAt(i) => self.joints.get_mut(i).map(|joint| &mut joint.at),
+            Quantity::JointStiffness(i) => self.joints.get_mut(i)?.stiffness.as_mut(),
             Quantity::GroundStiffness => self.springs.as_mut(),
             Quantity::Uniform => Some(&mut self.uniform),
             Quantity::LinearFrom(i) => self.linear.get_mut(i).map(|load| &mut load.from),

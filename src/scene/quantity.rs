@@ -8,6 +8,12 @@ use std::fmt;
 pub enum Quantity {
     Length,
     BendingStiffness,
+    /// Where a step of the bending stiffness begins.
+    StepAt(usize),
+    /// The bending stiffness from there on.
+    StepStiffness(usize),
+    JointAt(usize),
+    JointStiffness(usize),
     Uniform,
     LinearFrom(usize),
     LinearTo(usize),
@@ -103,15 +109,17 @@ impl Quantity {
     #[must_use]
     pub fn kind(self) -> Option<Kind> {
         Some(match self {
-            Self::BendingStiffness => Kind::BendingStiffness,
+            Self::BendingStiffness | Self::StepStiffness(_) => Kind::BendingStiffness,
             Self::GroundStiffness => Kind::GroundStiffness,
             Self::Uniform | Self::LinearStart(_) | Self::LinearEnd(_) => Kind::Intensity,
             Self::PointForce(_) => Kind::Force,
-            Self::CoupleMoment(_) => Kind::Moment,
+            Self::CoupleMoment(_) | Self::JointStiffness(_) => Kind::Moment,
             Self::SupportSlope(_) | Self::Profile(_, ProfileKey::Phase) => Kind::Angle,
             Self::Profile(_, ProfileKey::Coefficient(i)) if 0 < i => Kind::Coefficient(i),
             Self::Supports | Self::TotalLoad | Self::Profile(_, ProfileKey::Whole) => return None,
             Self::Length
+            | Self::StepAt(_)
+            | Self::JointAt(_)
             | Self::LinearFrom(_)
             | Self::LinearTo(_)
             | Self::PointAt(_)
@@ -128,6 +136,10 @@ impl fmt::Display for Quantity {
         match self {
             Self::Length => write!(f, "beam.length"),
             Self::BendingStiffness => write!(f, "beam.bending_stiffness"),
+            Self::StepAt(i) => write!(f, "beam.bending_stiffness.steps[{i}][0]"),
+            Self::StepStiffness(i) => write!(f, "beam.bending_stiffness.steps[{i}][1]"),
+            Self::JointAt(i) => write!(f, "beam.joints[{i}].at"),
+            Self::JointStiffness(i) => write!(f, "beam.joints[{i}].stiffness"),
             Self::Uniform => write!(f, "load.uniform"),
             Self::LinearFrom(i) => write!(f, "load.linear[{i}].from"),
             Self::LinearTo(i) => write!(f, "load.linear[{i}].to"),

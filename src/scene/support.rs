@@ -86,7 +86,7 @@ pub struct Bearing {
 /// Two supports are farther apart than this share of the beam. Their places are known to half a unit in the last place, so that the
 /// slope to which they hold the beam, the difference of their levels over their distance, is known to six digits at least: as many
 /// as a certified deflection has unless more are asked for.
-const LEAST_DISTANCE: f64 = f64::EPSILON / 1e-6;
+pub(super) const LEAST_DISTANCE: f64 = f64::EPSILON / 1e-6;
 
 /// `supports` from left to right, each with its index in the list as it is given, which errors have too; checked for a beam of
 /// this length.

@@ -27,12 +27,22 @@ impl PiecewiseScene {
         let stiffness = scene.beam().bending_stiffness();
         let (mut shapes, mut breaks) = gap_of(foundation, own, length);
         let bearings: Vec<Bearing> = scene.bearings().collect();
-        break_at_bearings(&bearings, length, &mut shapes, &mut breaks);
+        let joints =
+            scene.beam().joints().iter().map(|joint| joint.at).filter(|at| is_curved_at(&shapes, &breaks, *at));
+        let alone: Vec<f64> = bearings.iter().map(|bearing| bearing.at).chain(joints).collect();
+        break_at(&alone, length, &mut shapes, &mut breaks);
         let ends: Vec<f64> = breaks.iter().map(|b| b.x).collect();
         let load = scene.load();
         let places = places(&[Some(foundation), own], load, scene.beam(), &ends);
-        let cells = cells(load, stiffness, &places, &ends);
+        let cells = cells(load, scene.beam(), &places, &ends);
         let mut breakpoints = breakpoints(load, stiffness, &places, &cells, &shapes, &breaks);
+        for joint in scene.beam().joints() {
+            let flexibility = joint.stiffness.map_or(f64::INFINITY, |k| stiffness / k);
+            breakpoints[places.partition_point(|&x| x < joint.at)].joint = flexibility;
+        }
+        let divisions: Vec<usize> = (1..cells.len())
+            .filter(|&i| breakpoints[i].joint != 0.0 || cells[i - 1].stiffness.total_cmp(&cells[i].stiffness).is_ne())
+            .collect();
         let at: Vec<usize> = bearings.iter().map(|bearing| places.partition_point(|&x| x < bearing.at)).collect();
         at.iter().zip(&bearings).for_each(|(&i, bearing)| breakpoints[i].depth = bearing.gap);
         let degree = shapes.iter().map(Shape::degree).try_fold(0, |most, d| d.map(|d| d.max(most)));
@@ -42,7 +52,8 @@ impl PiecewiseScene {
         let own_size = own.map_or(0.0, |own| own.magnitude(length));
         let mut given = Self {
             length,
-            run_ends: run_ends(&cells, &breakpoints, degree.is_some_and(|degree| degree < 2)),
+            run_ends: run_ends(&cells, &breakpoints, &divisions, degree.is_some_and(|degree| degree < 2)),
+            divisions,
             roughest: breakpoints
                 .iter()
                 .fold([0.0; 2], |[kink, step], j| [j.kink.abs().max(kink), j.step.abs().max(step)]),
@@ -104,6 +115,7 @@ fn places(profiles: &[Option<&Foundation>], load: &Load, beam: &Beam, ends: &[f6
     let mut places = ends.to_vec();
     places.extend(beam.supports().iter().chain(beam.bearings()).map(|support| support.at));
     places.extend(load.places(beam.length()));
+    places.extend(beam.changes().chain(beam.joints().iter().map(|joint| joint.at)));
     places.extend([0.0, beam.length()]);
     for profile in profiles.iter().flatten() {
         if let Foundation::Polynomial { coefficients } = profile
@@ -123,9 +135,14 @@ fn places(profiles: &[Option<&Foundation>], load: &Load, beam: &Beam, ends: &[f6
     places
 }
 
-/// Ends the smooth pieces at the supports that only push: no contact goes past one.
-fn break_at_bearings(bearings: &[Bearing], length: f64, shapes: &mut Vec<Shape>, breaks: &mut Vec<Break>) {
-    for &Bearing { at, .. } in bearings.iter().filter(|bearing| 0.0 < bearing.at && bearing.at < length) {
+/// True if the smooth piece of the profile at a place is no straight line.
+fn is_curved_at(shapes: &[Shape], breaks: &[Break], at: f64) -> bool {
+    shapes[breaks.partition_point(|b| b.x <= at)].degree().is_none_or(|degree| 2 <= degree)
+}
+
+/// Ends the smooth pieces at places that no contact goes past: supports that only push, and joints above curved ground.
+fn break_at(places: &[f64], length: f64, shapes: &mut Vec<Shape>, breaks: &mut Vec<Break>) {
+    for &at in places.iter().filter(|at| 0.0 < **at && **at < length) {
         let i = breaks.partition_point(|b| b.x < at);
         if breaks.get(i).is_none_or(|b| at < b.x) {
             breaks.insert(i, Break { x: at, step: 0.0 });
@@ -135,8 +152,8 @@ fn break_at_bearings(bearings: &[Bearing], length: f64, shapes: &mut Vec<Shape>,
 }
 
 /// What is between the breakpoints.
-fn cells(load: &Load, stiffness: f64, places: &[f64], ends: &[f64]) -> Vec<Cell> {
-    let length = places.last().copied().unwrap_or(0.0);
+fn cells(load: &Load, beam: &Beam, places: &[f64], ends: &[f64]) -> Vec<Cell> {
+    let (length, least) = (beam.length(), beam.bending_stiffness());
     let cell = |w: &[f64]| {
         let (lo, hi) = (w[0], w[1]);
         let shape = ends.partition_point(|&end| end <= lo);
@@ -145,7 +162,8 @@ fn cells(load: &Load, stiffness: f64, places: &[f64], ends: &[f64]) -> Vec<Cell>
             at_lo += q.intensity(lo);
             slope += (q.end - q.start) / (q.to - q.from);
         }
-        Cell { lo, hi, shape, load: at_lo / stiffness, load_slope: slope / stiffness }
+        let stiffness = beam.stiffness_between(lo, hi) / least;
+        Cell { lo, hi, shape, load: at_lo / least, load_slope: slope / least, stiffness }
     };
     places.windows(2).map(cell).collect()
 }
@@ -180,8 +198,8 @@ fn breakpoints(
     breakpoints
 }
 
-/// The breakpoints between two cells under different lines of load, or under a force or a couple; all of them if the ground is not straight.
-fn run_ends(cells: &[Cell], breakpoints: &[Breakpoint], is_straight: bool) -> Vec<usize> {
+/// The breakpoints between two cells under different lines of load, under a force or a couple, or where the beam changes; all of them if the ground is not straight.
+fn run_ends(cells: &[Cell], breakpoints: &[Breakpoint], divisions: &[usize], is_straight: bool) -> Vec<usize> {
     /// Rounding of a line that is evaluated in two cells, as a share of the load.
     const ROUNDING: f64 = 4.0 * f64::EPSILON;
     let mut start = &cells[0];
@@ -189,7 +207,7 @@ fn run_ends(cells: &[Cell], breakpoints: &[Breakpoint], is_straight: bool) -> Ve
         let cell = &cells[*i];
         let jump = (start.load + start.load_slope * (cell.lo - start.lo) - cell.load).abs();
         let is_one = start.load_slope.to_bits() == cell.load_slope.to_bits() && jump <= ROUNDING * cell.load.abs();
-        let ends = !is_straight || !is_one || breakpoints[*i].is_loaded();
+        let ends = !is_straight || !is_one || breakpoints[*i].is_loaded() || divisions.binary_search(i).is_ok();
         if ends {
             start = cell;
         }

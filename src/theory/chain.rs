@@ -13,6 +13,8 @@
 //! shares the force at a lift-off point between samples and its contacts have holes. A link far from contact is a beam
 //! (`Δ/3` and `Δ/6`, `ρ` the end rotations under its load), which is exact however long it is.
 //!
+//! Where the beam is stiffer a link bends less, and a joint bends besides: its flexibility is added to `W`.
+//!
 //! At a support the clearance is given instead of the force, and at an end of the beam that is not built in the moment is zero. Both
 //! are written as an equation with a penalty that fixes the variable: at a support `s p⁻¹ = 0`, at such an end `W = ∞`.
 //!
@@ -48,6 +50,10 @@ pub(super) struct ChainSample {
     pub(super) open: bool,
     /// True for a link that is a beam.
     pub(super) beam: bool,
+    /// How much more flexible the link is than one of the least bending stiffness, at most 1; zero counts as 1.
+    pub(super) flexibility: f64,
+    /// The flexibility of a joint at the sample.
+    pub(super) joint: f64,
 }
 
 /// Contact forces of the chain, and which samples touch.
@@ -238,18 +244,24 @@ impl Chain<'_> {
 
     fn rows(&self) -> Vec<Row> {
         let n = self.samples.len();
-        let link = |i: usize| (self.samples[i + 1].x - self.samples[i].x, self.samples[i].beam);
-        let share = |(length, beam): (f64, bool)| if beam { length / 3.0 } else { 0.5 * length };
+        // The length, and what of it bends.
+        let link = |i: usize| {
+            let ChainSample { x, beam, flexibility, .. } = self.samples[i];
+            let length = self.samples[i + 1].x - x;
+            (length, if flexibility == 0.0 { length } else { length * flexibility }, beam)
+        };
+        let share = |(_, bends, beam): (f64, f64, bool)| if beam { bends / 3.0 } else { 0.5 * bends };
         let row = |i: usize| {
             let left = if 0 < i { share(link(i - 1)) } else { PENALTY * f64::from(!self.built_in[0]) };
-            let ChainSample { bend, load, held, open, .. } = self.samples[i];
+            let ChainSample { bend, load, held, open, joint, .. } = self.samples[i];
+            let left = left + if joint.is_finite() { joint } else { PENALTY };
             let row = Row { bend, load, open, held: held.is_some(), s: held.unwrap_or(0.0), ..Row::default() };
             if i + 1 == n {
                 let w = left + PENALTY * f64::from(!self.built_in[1]);
                 return Row { block: Block::new(0.0, w, 0.0), ..row };
             }
             let right = link(i);
-            let off = if right.1 { right.0 / 6.0 } else { 0.0 };
+            let off = if right.2 { right.1 / 6.0 } else { 0.0 };
             Row { block: Block::new(1.0 / right.0, left + share(right), off), ..row }
         };
         (0..n).map(row).collect()

@@ -6,7 +6,8 @@ use super::newton;
 use super::penetration::deepest;
 use super::piece::{Piece, derivatives, pieces_of, pieces_of_zone};
 use super::piecewise::PiecewiseScene;
-use super::span::Span;
+use super::sensitivity::ends;
+use super::span::{EndCondition, Span};
 use super::tension::mean_pull;
 use super::violation::Violation;
 use crate::certificate::CERTIFIED_RESIDUAL;
@@ -20,7 +21,7 @@ pub(super) struct Check {
     pub(super) spans: Vec<(usize, Span)>,
     /// Concentrated forces at the nodes; of a support without the load that stands on it.
     pub(super) forces: Vec<f64>,
-    /// Moments `−v''` just to the left and just to the right of the nodes.
+    /// Moments `−e v''` just to the left and just to the right of the nodes.
     pub(super) moments: Vec<[f64; 2]>,
     /// Conditions that fail, each with the index of its node, or of the node to the right of its stretch.
     pub(super) faults: Vec<(usize, Violation)>,
@@ -43,8 +44,7 @@ impl Check {
 
     /// The length of the shorter span beside a node.
     pub(super) fn shortest_beside(&self, node: usize) -> f64 {
-        let beside = [node, node + 1].into_iter().filter_map(|i| self.spans.binary_search_by_key(&i, |(j, _)| *j).ok());
-        beside.fold(f64::INFINITY, |least, i| self.spans[i].1.length().min(least))
+        ends(&self.spans, node).into_iter().flatten().fold(f64::INFINITY, |least, span| span.length().min(least))
     }
 }
 
@@ -150,8 +150,10 @@ fn all_pieces(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> V
             if let Some(zone) = next_zone.next() {
                 pieces_of_zone(given, zone.from, zone.to, &mut pieces);
             }
-        } else if let Some((_, span)) = next_span.next_if(|(before, _)| *before == i) {
-            pieces_of(given, span, &mut pieces);
+        } else {
+            while let Some((_, span)) = next_span.next_if(|(before, _)| *before == i) {
+                pieces_of(given, span, &mut pieces);
+            }
         }
     }
     if pieces.is_empty() {
@@ -209,7 +211,8 @@ impl Judge {
     /// At the smooth points beside span `i` the beam is bent no more than the profile, as a share of how both are bent there.
     fn bends(&mut self, given: &PiecewiseScene, list: &List, i: usize, span: &Span) {
         let most = most_bent(given, span);
-        for (node, bend) in [(i.checked_sub(1), span.at_a[2]), (Some(i), span.at_b[2])] {
+        for (node, end, bend) in [(i.checked_sub(1), &span.a, span.at_a[2]), (Some(i), &span.b, span.at_b[2])] {
+            let node = node.filter(|_| end.hold != EndCondition::Within);
             let point = node.and_then(|i| list.nodes.get(i).map(|node| (i, node))).filter(|(_, n)| n.is_smooth());
             if let Some((i, node)) = point {
                 self.measure(-bend, most, i, Violation::CurvatureGap { at: node.x, moment: -bend });
@@ -224,7 +227,8 @@ impl Judge {
         // Of a node to the left of the span the ground on its right counts. Outwards is into the span.
         let ends = [(i.checked_sub(1), 1, 1.0, &span.a, &span.at_a), (Some(i), 0, -1.0, &span.b, &span.at_b)];
         for (node, side, outwards, end, at) in ends {
-            let Some(node) = node.filter(|&node| node < list.nodes.len()) else { continue };
+            let is_node = |node: &usize| *node < list.nodes.len() && end.hold != EndCondition::Within;
+            let Some(node) = node.filter(is_node) else { continue };
             let Some(index) = list.nodes[node].support(given) else { continue };
             let support = &given.supports[index];
             if !support.tangent[side] {
@@ -327,7 +331,7 @@ impl Scale {
             for part in (0..parts).map(f64::from) {
                 let [v, _, v2, _] = derivatives(&taylor, piece.width() * (part / f64::from(parts)));
                 depth = depth.max(v.abs());
-                moment = moment.max(v2.abs());
+                moment = moment.max((v2 * piece.stiffness(given)).abs());
             }
         }
         let force = forces.iter().fold(0.0_f64, |most, f| most.max(f.abs()));

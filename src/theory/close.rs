@@ -69,8 +69,7 @@ fn tangent(given: &PiecewiseScene, list: &List, checked: &Check, faults: &[(usiz
     let mut nodes = list.nodes.clone();
     for (i, fault) in faults.iter().rev() {
         let (Violation::Penetration { at, .. }, Some(left)) = (fault, i.checked_sub(1)) else { continue };
-        let Ok(index) = checked.spans.binary_search_by_key(i, |(node, _)| *node) else { continue };
-        let (_, span) = &checked.spans[index];
+        let Some((_, span)) = checked.spans.iter().find(|(node, span)| node == i && *at <= span.b.x) else { continue };
         // A support that only pushes is no edge of the ground beside it.
         let is_edge = |node: &Node| node.is_edge(given) && node.is_ground(given);
         let both = nodes.get(left..=*i).is_some_and(|two| two.iter().all(is_edge));

@@ -99,7 +99,7 @@ const MOST_NUMBERS: usize = 20_000_000;
 impl Exact {
     /// The derivatives of this solution of `scene` by the depth of all of the ground, the bending stiffness, the uniform load, force
     /// and place of each point load, level and place of each support. Left out is what has none: all of a beam whose position is
-    /// not certain.
+    /// not certain, and of one with a bending stiffness in steps or with joints.
     #[must_use]
     pub fn derivatives(&self, scene: &Scene) -> Vec<Derivative> {
         let [asked, _] = self.computed_and_left_out(scene);
@@ -127,7 +127,9 @@ impl Exact {
     }
 
     pub(super) fn sensitivity(&self) -> Option<Sensitivity<'_>> {
-        Sensitivity::of(&self.given, &self.list, &self.spans, &self.forces)
+        // Spans over which the beam changes answer in another way.
+        let is_uniform = self.given.divisions.is_empty();
+        is_uniform.then(|| Sensitivity::of(&self.given, &self.list, &self.spans, &self.forces))?
     }
 
     /// The derivative that is asked for; `holds` says on which sides of the scene the contacts are the same.

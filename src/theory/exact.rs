@@ -285,7 +285,7 @@ impl Exact {
         (piece, x.max(piece.lo).min(piece.hi))
     }
 
-    /// `v, v', v'', v'''` at `x`, dimensionless.
+    /// `v, v', e v'', e v'''` at `x`, dimensionless.
     fn beam(&self, x: f64, right: bool) -> [f64; 4] {
         if let Some(springs) = &self.springs {
             return springs.part(x / self.scale.length, right).beam(x / self.scale.length);
@@ -293,7 +293,9 @@ impl Exact {
         let (piece, place) = self.piece(x, right);
         let mut taylor = vec![0.0; self.given.terms];
         piece.deflection(&self.given, &mut taylor);
-        derivatives(&taylor, place - piece.anchor)
+        let [v, v1, v2, v3] = derivatives(&taylor, place - piece.anchor);
+        let e = piece.stiffness(&self.given);
+        [v, v1, v2 * e, v3 * e]
     }
 }
 
@@ -334,10 +336,11 @@ impl Exact {
         let mut samples = Vec::new();
         for x in self.places(scene, intervals) {
             let ([left, right], [bent_left, bent_right]) = (self.shear(x), self.moments(x));
-            let sample = |pressure, moment, shear| Sample {
+            let turn = self.scale.depth / self.scale.length;
+            let sample = |pressure, moment, shear, right| Sample {
                 x,
                 deflection: self.deflection(x),
-                slope: self.slope(x),
+                slope: self.beam(x, right)[1] * turn,
                 clearance: self.clearance(x),
                 pressure,
                 moment,
@@ -347,14 +350,15 @@ impl Exact {
             let loaded = scene.load().concentrated().any(|acts| sits_at(acts.at, x));
             let supported = scene.beam().all_supports().iter().any(|support| sits_at(support.at, x));
             let inside = 0.0 < x && x < length;
-            if 0.0 < x && (!inside || jumps || loaded || supported) {
+            let joined = scene.beam().joints().iter().any(|joint| sits_at(joint.at, x));
+            if 0.0 < x && (!inside || jumps || loaded || supported || joined) {
                 // Pressure is that of the right-hand side; a step to the left is that of the other.
                 let turned = scene.load().couple().iter().any(|load| sits_at(load.at, x));
                 let moment = if supported || turned { bent_left } else { bent_right };
-                samples.push(sample(self.pressure(x.next_down()), moment, left));
+                samples.push(sample(self.pressure(x.next_down()), moment, left, !joined));
             }
             if x < length {
-                samples.push(sample(self.pressure(x), bent_right, right));
+                samples.push(sample(self.pressure(x), bent_right, right, true));
             }
         }
         samples
@@ -367,6 +371,7 @@ impl Exact {
         places.extend(self.springs.iter().flat_map(Springs::places).map(|x| x * self.scale.length));
         places.extend(self.state.contacts.iter().flat_map(|c| [c.from, c.to]));
         places.extend(scene.load().places(length));
+        places.extend(scene.beam().joints().iter().map(|joint| joint.at));
         places.extend(scene.beam().all_supports().iter().map(|s| s.at).filter(|&at| 0.0 < at && at < length));
         for profile in scene.foundation().into_iter().chain(scene.beam().shape()) {
             if let Foundation::Polyline { points } = profile {

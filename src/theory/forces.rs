@@ -2,14 +2,15 @@
 
 use super::list::{List, Node};
 use super::piecewise::PiecewiseScene;
-use super::span::Span;
+use super::sensitivity::ends;
+use super::span::{EndCondition, Span};
 
 /// Concentrated forces at the nodes, `R = P + v'''(x−) − v'''(x+)`, with nothing beyond the ends of the beam; at a support without
 /// the load `P` that stands on it.
 pub(super) fn forces(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Vec<f64> {
     // The profile has breaks of its depth and slope only: g''' is the same on both sides of a contact, and h''' will do.
     let last = given.cells.len() - 1;
-    let of_zone = |node: usize, cell: usize| given.derivative(cell, list.nodes[node].x, 3);
+    let of_zone = |node: usize, cell: usize| given.bent(cell, list.nodes[node].x, 3);
     let mut forces: Vec<f64> = Vec::with_capacity(list.nodes.len());
     for (i, node) in list.nodes.iter().enumerate() {
         let in_beam = !node.can_move() && !node.is_edge(given);
@@ -26,14 +27,16 @@ pub(super) fn forces(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)
         forces.push(force);
     }
     for (i, span) in spans {
-        if let Some(left) = i.checked_sub(1) {
+        if let Some(left) = i.checked_sub(1).filter(|_| span.a.hold != EndCondition::Within) {
             let node = &list.nodes[left];
             forces[left] += match node.can_move() || node.is_edge(given) && span.a.x > 0.0 {
                 true => span.at_a[3],
                 false => -span.beam_a[3],
             };
         }
-        if let (Some(force), Some(node)) = (forces.get_mut(*i), list.nodes.get(*i)) {
+        if let (Some(force), Some(node)) = (forces.get_mut(*i), list.nodes.get(*i))
+            && span.b.hold != EndCondition::Within
+        {
             *force -= match node.can_move() || node.is_edge(given) && span.b.x < given.length {
                 true => span.at_b[3],
                 false => -span.beam_b[3],
@@ -46,37 +49,35 @@ pub(super) fn forces(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)
 /// The largest shear force in the spans to the left and to the right of a node, and the largest that the moments at the ends of these
 /// could make by themselves: the numbers whose rounding a concentrated force carries.
 pub(super) fn force_beside(spans: &[(usize, Span)], node: usize) -> f64 {
-    let beside = [node, node + 1].into_iter().filter_map(|i| spans.binary_search_by_key(&i, |(right, _)| *right).ok());
-    beside.fold(0.0, |most: f64, i| {
-        let (_, span) = &spans[i];
+    ends(spans, node).into_iter().flatten().fold(0.0, |most: f64, span| {
         let of_moments = (span.beam_a[2].abs() + span.beam_b[2].abs()) / span.length();
         most.max(of_moments).max(span.beam_a[3].abs()).max(span.beam_b[3].abs())
     })
 }
 
-/// Moments `−v''` just to the left and just to the right of the nodes, with nothing beyond the ends of the beam.
+/// Moments `−e v''` just to the left and just to the right of the nodes, with nothing beyond the ends of the beam.
 pub(super) fn moments(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Vec<[f64; 2]> {
-    let of_zone = |zone: bool, cell: usize, x: f64| if zone { -given.derivative(cell, x, 2) } else { 0.0 };
+    let of_zone = |zone: bool, cell: usize, x: f64| if zone { -given.bent(cell, x, 2) } else { 0.0 };
     let beside = |(i, node): (usize, &Node)| {
         let left = of_zone(list.in_zone_before(i), given.cell_to(node.x), node.x);
         [left, of_zone(list.in_zone_before(i + 1), given.cell_from(node.x), node.x)]
     };
     let mut moments: Vec<[f64; 2]> = list.nodes.iter().enumerate().map(beside).collect();
     for (i, span) in spans {
-        if let Some(left) = i.checked_sub(1) {
+        if let Some(left) = i.checked_sub(1).filter(|_| span.a.hold != EndCondition::Within) {
             moments[left][1] = -span.beam_a[2];
         }
-        if let Some(moment) = moments.get_mut(*i) {
+        if let Some(moment) = moments.get_mut(*i).filter(|_| span.b.hold != EndCondition::Within) {
             moment[0] = -span.beam_b[2];
         }
     }
     moments
 }
 
-/// `∫ q − u'''' dx` over the inside of a zone, with the point loads there.
+/// `∫ q − e u'''' dx` over the inside of a zone, with the point loads there.
 pub(super) fn zone_force(given: &PiecewiseScene, from: f64, to: f64) -> f64 {
     let (first, last) = (given.cell_from(from), given.cell_to(to));
-    given.load_inside(from, to) + given.derivative(first, from, 3) - given.derivative(last, to, 3)
+    given.load_inside(from, to) + given.bent(first, from, 3) - given.bent(last, to, 3)
 }
 
 /// What is left of the load when reactions and contact forces are taken off.

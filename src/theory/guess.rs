@@ -131,9 +131,7 @@ impl Samples {
             let breakpoints = first..end.min(first + block);
             let depth = |&i: &usize| given.breakpoints[i].depth;
             let shallowest = breakpoints.clone().min_by(|i, j| depth(i).total_cmp(&depth(j)));
-            for i in breakpoints
-                .filter(|&i| Some(i) == shallowest || given.load_changes_at(i) || given.support_at(i).is_some())
-            {
+            for i in breakpoints.filter(|&i| Some(i) == shallowest || given.load_changes_at(i) || given.changes_at(i)) {
                 self.push(given.breakpoints[i].x, i, false);
             }
         }
@@ -216,7 +214,7 @@ impl Samples {
             add(start, end);
             if self.far[i] {
                 let (start, end) = (given.load(self.cell[i], a), given.load(last, b));
-                let unit = length * length * length / 360.0;
+                let unit = length * length * length / 360.0 / given.cells[self.cell[i]].stiffness;
                 add(unit * (8.0 * start + 7.0 * end), unit * (7.0 * start + 8.0 * end));
             }
         }
@@ -237,6 +235,8 @@ impl Samples {
             held,
             open,
             beam: self.far.get(i).is_some_and(|&far| far),
+            flexibility: 1.0 / given.cells[self.cell[i]].stiffness,
+            joint: self.breakpoint(given, i).map_or(0.0, |at| given.breakpoints[at].joint),
             ..ChainSample::default()
         }
     }
@@ -280,6 +280,10 @@ impl Samples {
             let touches = i <= last && guess.touches[i];
             let breakpoint = if i <= last { self.breakpoint(given, i) } else { None };
             let breaks = |b: usize| given.breaks_at(b) || given.is_free_end(b) && !given.is_flat_end(b);
+            // A joint alone is an edge; in contact on level ground it changes nothing.
+            let beside = |j: Option<usize>| j.and_then(|j| guess.touches.get(j)).is_some_and(|touches| *touches);
+            let alone = !(beside(i.checked_sub(1)) && beside(Some(i + 1)));
+            let breaks = |b: usize| breaks(b) || given.breakpoints[b].joint != 0.0 && alone;
             let at_break = breakpoint.filter(|&breakpoint| breaks(breakpoint));
             if touches && at_break.is_none() {
                 first.get_or_insert(i);

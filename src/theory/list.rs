@@ -23,6 +23,7 @@
 //! the two are a couple. Of the force at a zone that begins or ends there only the sum with that of the support is unique: the
 //! support is said to take all of it.
 
+use super::divided::{self, Parts};
 use super::overhang::Overhang;
 use super::piecewise::PiecewiseScene;
 use super::span::{End, EndCondition, Span};
@@ -94,32 +95,47 @@ impl List {
         (0..self.nodes.len()).filter(|&i| self.unknown(given, i).is_some()).count()
     }
 
-    /// The spans and overhangs from left to right, each with the number of nodes to its left.
+    /// The spans and overhangs from left to right, each with the number of nodes to its left; one that is divided by its parts.
     pub(super) fn spans(&self, given: &PiecewiseScene) -> impl Iterator<Item = (usize, Span)> {
         let n = self.nodes.len();
-        let overhang = |end: Option<&Node>, i, at_left| end.map(|node| (i, self.overhang(given, node, at_left)));
+        let overhang = |end: Option<&Node>, i, at_left| {
+            let parts = end.map(|node| self.overhang(given, node, at_left));
+            parts.into_iter().flatten().map(move |span| (i, span))
+        };
         let left = overhang(self.nodes.first().filter(|first| 0.0 < first.x), 0, true);
         let right = overhang(self.nodes.last().filter(|last| last.x < given.length), n, false);
-        let between = (1..n).filter(|&i| !self.in_zone_before(i)).map(|i| (i, self.span(given, i)));
-        left.into_iter().chain(between).chain(right)
+        let between = (1..n).filter(|&i| !self.in_zone_before(i));
+        let between = between.flat_map(move |i| self.span(given, i).into_iter().map(move |span| (i, span)));
+        left.chain(between).chain(right)
     }
 
     /// The overhang beyond the outermost node on a side.
-    fn overhang(&self, given: &PiecewiseScene, node: &Node, at_left: bool) -> Span {
+    fn overhang(&self, given: &PiecewiseScene, node: &Node, at_left: bool) -> Parts {
         let [right, left] = node.cells(given);
         let cell = if at_left { left } else { right };
         // Where the node leaves the slope free, it is that of the span beside it.
         let beside = || {
             let i = if at_left { 1 } else { self.nodes.len() - 1 };
             let is_span = 0 < i && i < self.nodes.len() && !self.in_zone_before(i);
-            is_span.then(|| self.span(given, i)).map(|span| if at_left { span.beam_a[1] } else { span.beam_b[1] })
+            let joint = node.joint(given);
+            let turned = |bent: f64| if joint == 0.0 { 0.0 } else { joint * bent };
+            is_span.then(|| self.span(given, i)).map(|parts| match at_left {
+                true => parts.first.beam_a[1] - turned(parts.first.beam_a[2] - node.couple(given)),
+                false => parts.last().beam_b[1] + turned(parts.last().beam_b[2]),
+            })
         };
         let slope = node.held_slope(given).or_else(beside).unwrap_or(node.free_slope()[0]);
-        Span::overhang(given, node.span_end(given, cell), slope, at_left)
+        let held = node.span_end(given, cell);
+        let divisions =
+            if at_left { given.divisions_between(0.0, node.x) } else { given.divisions_between(node.x, given.length) };
+        if divisions.is_empty() {
+            return Parts::one(Span::overhang(given, held, slope, at_left));
+        }
+        Parts::of(divided::overhang(given, held, slope, at_left))
     }
 
     /// The span between node `i − 1` and node `i`.
-    fn span(&self, given: &PiecewiseScene, i: usize) -> Span {
+    fn span(&self, given: &PiecewiseScene, i: usize) -> Parts {
         let (left, right) = (&self.nodes[i - 1], &self.nodes[i]);
         let ([from, _], [_, to]) = (left.cells(given), right.cells(given));
         let (mut a, mut b) = (left.span_end(given, from), right.span_end(given, to));
@@ -129,7 +145,13 @@ impl List {
         if i + 1 == self.nodes.len() {
             right.hinge(given, &mut b, false);
         }
-        Span::between(given, a, b)
+        let (divisions, joint) = (given.divisions_between(a.x, b.x), right.joint(given));
+        if divisions.is_empty() && joint == 0.0 {
+            return Parts::one(Span::between(given, a, b));
+        }
+        let parts = divided::between(given, [a, b], divisions, joint);
+        // Nothing is known of a mechanism.
+        parts.map_or_else(|| Parts::one(Span::between(given, a, b).unknown()), Parts::of)
     }
 
     /// The zones from left to right.
@@ -286,6 +308,11 @@ impl Node {
                 Some(given.derivative(cell, self.x, 1))
             }
         })
+    }
+
+    /// How flexible the joint at the node is, which belongs to what is on its left.
+    fn joint(&self, given: &PiecewiseScene) -> f64 {
+        self.breakpoint.map_or(0.0, |i| given.breakpoints[i].joint)
     }
 
     /// By how much a couple that acts at the node makes `v''` jump.

@@ -7,6 +7,7 @@ use super::list::{List, Node};
 use super::penetration::in_bearings;
 use super::piece::{derivatives, pieces_of};
 use super::piecewise::PiecewiseScene;
+use super::sensitivity::ends;
 use super::span::Span;
 use super::violation::Violation;
 
@@ -59,7 +60,9 @@ pub(super) fn violated_conditions(
             Violation::Pull { .. } => add(Condition::ZonePresses(i)),
             Violation::Couple { .. } => add(Condition::Couple(i)),
             Violation::Penetration { at, .. } => {
-                let Some((_, span)) = checked.spans.iter().find(|(j, _)| *j == i) else { continue };
+                let Some((_, span)) = checked.spans.iter().find(|(j, span)| *j == i && at <= span.b.x) else {
+                    continue;
+                };
                 let near = |x: f64| (at - x).abs() < 0.5 * span.length();
                 let fixed =
                     |node: Option<usize>| node.filter(|&node| list.nodes.get(node).is_some_and(|n| !n.can_move()));
@@ -133,11 +136,12 @@ impl Condition {
 
     /// The same with the spans of the list and the forces of its nodes.
     fn of(self, given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], forces: &[f64]) -> Option<f64> {
-        let before = |node: usize| spans.binary_search_by_key(&node, |(i, _)| *i).ok().map(|i| &spans[i].1);
+        let before = |node: usize| ends(spans, node)[0];
+        let behind = |node: usize| ends(spans, node)[1];
         match self {
             Condition::Presses(node) => forces.get(node).copied(),
             Condition::Bends(node) => {
-                let sides = [before(node).map(|span| span.at_b[2]), before(node + 1).map(|span| span.at_a[2])];
+                let sides = [before(node).map(|span| span.at_b[2]), behind(node).map(|span| span.at_a[2])];
                 sides.into_iter().flatten().reduce(f64::min)
             }
             Condition::Length(node) => Some(list.nodes.get(node + 1)?.x - list.nodes.get(node)?.x),
@@ -156,10 +160,13 @@ impl Condition {
                 Some((node.x - from).min(to - node.x))
             }
             Condition::Turns(node, 0) => before(node).map(|span| -span.at_b[1]),
-            Condition::Turns(node, _) => before(node + 1).map(|span| span.at_a[1]),
+            Condition::Turns(node, _) => behind(node).map(|span| span.at_a[1]),
             Condition::BendsBeside(node, 0) => before(node).map(|span| span.at_b[2]),
-            Condition::BendsBeside(node, _) => before(node + 1).map(|span| span.at_a[2]),
-            Condition::Clears(node) => lowest(given, before(node)?),
+            Condition::BendsBeside(node, _) => behind(node).map(|span| span.at_a[2]),
+            Condition::Clears(node) => {
+                let parts = spans.iter().filter(|(right, _)| *right == node);
+                parts.filter_map(|(_, span)| lowest(given, span)).reduce(f64::min)
+            }
             Condition::Couple(node) => {
                 let [left, right] = *moments(given, list, spans).get(node)?;
                 list.nodes.get(node)?.support(given)?;

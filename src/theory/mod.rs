@@ -32,6 +32,7 @@ mod close;
 mod continuation;
 mod cosine;
 mod derivatives;
+mod divided;
 mod exact;
 mod forces;
 mod free_spans;
@@ -61,6 +62,7 @@ mod summary;
 mod tension;
 mod touching;
 mod violation;
+mod way;
 
 pub use derivatives::{By, ContactDerivative, Derivative, Missing};
 pub use exact::{Exact, Sample};

@@ -6,7 +6,7 @@
 
 use super::list::{List, Node, Unknown};
 use super::piecewise::PiecewiseScene;
-use super::span::Span;
+use super::span::{EndCondition, Span};
 
 /// How it went.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -60,22 +60,26 @@ pub(super) fn solve(given: &PiecewiseScene, list: &mut List) -> Run {
     Run { steps: STEPS, converged: false }
 }
 
-/// How `h''` at the two ends of a span answers to what is unknown of the two nodes beside it: `[end][node]`.
-fn response([left, right]: [Option<Unknown>; 2], span: &Span) -> [[f64; 2]; 2] {
-    let l = span.length();
-    // δh' of each end for a unit of its unknown, and how fast h'' changes under a moving end.
-    let turn = |unknown: Option<Unknown>, end: &[f64; 4]| match unknown {
+/// How `e h''` at the two ends of a span, from its first part to its last one, answers to what is unknown of the two nodes beside it:
+/// `[end][node]`.
+fn response([left, right]: [Option<Unknown>; 2], [first, last]: [&Span; 2]) -> [[f64; 2]; 2] {
+    // δh' of each end for a unit of its unknown, and how fast e h'' changes under a moving end.
+    let turn = |unknown: Option<Unknown>, end: &[f64; 4], e: f64| match unknown {
         None => (0.0, 0.0),
         Some(Unknown::Slope) => (-1.0, 0.0),
-        Some(Unknown::Place) => (-end[2], end[3]),
+        Some(Unknown::Place) => (-end[2] / e, end[3]),
     };
-    let (turn_a, carry_a) = turn(left, &span.at_a);
-    let (turn_b, carry_b) = turn(right, &span.at_b);
-    if span.is_overhang() {
+    let (turn_a, carry_a) = turn(left, &first.at_a, first.stiffness);
+    let (turn_b, carry_b) = turn(right, &last.at_b, last.stiffness);
+    if first.is_overhang() || last.is_overhang() {
         // Its moment is known from its loads.
         return [[carry_a, 0.0], [0.0, carry_b]];
     }
-    match (span.a.hold.is_hinged(), span.b.hold.is_hinged()) {
+    if let Some([[aa, ab], [ba, bb]]) = first.answer {
+        return [[carry_a + aa * turn_a, ab * turn_b], [ba * turn_a, carry_b + bb * turn_b]];
+    }
+    let l = first.length() / first.stiffness;
+    match (first.a.hold.is_hinged(), first.b.hold.is_hinged()) {
         (false, false) => {
             [[carry_a - 4.0 * turn_a / l, -2.0 * turn_b / l], [2.0 * turn_a / l, carry_b + 4.0 * turn_b / l]]
         }
@@ -115,22 +119,39 @@ fn equations(given: &PiecewiseScene, list: &List, spans: impl Iterator<Item = (u
         Row { unknown, derivative: [0.0, middle, 0.0], jump: 0.0 - couple, step: 0.0 }
     };
     let mut rows: Vec<Row> = list.nodes.iter().enumerate().map(row).collect();
+    let mut first = None;
     for (right, span) in spans {
+        let start = *first.get_or_insert(span);
+        if span.b.hold == EndCondition::Within {
+            continue;
+        }
+        first = None;
         let left = right.checked_sub(1);
         let unknown = [left, Some(right)].map(|i| rows.get(i?).and_then(|row| row.unknown));
-        let [at_a, at_b] = response(unknown, &span);
+        let [at_a, at_b] = response(unknown, [&start, &span]);
         if let ([Some(_), _], Some(i)) = (unknown, left) {
             rows[i].derivative[1] -= at_a[0];
             rows[i].derivative[2] -= at_a[1];
-            rows[i].jump -= span.at_a[2];
+            rows[i].jump -= side(given, list, i, &start.at_a, &start.beam_a);
         }
         if unknown[1].is_some() {
             rows[right].derivative[0] += at_b[0];
             rows[right].derivative[1] += at_b[1];
-            rows[right].jump += span.at_b[2];
+            rows[right].jump += side(given, list, right, &span.at_b, &span.beam_b);
         }
     }
     rows
+}
+
+/// `e h''` on a side of node `i`, or where the stiffness changes at an edge `−e v''`: the moment of the ground jumps there, too.
+fn side(given: &PiecewiseScene, list: &List, i: usize, at: &[f64; 4], beam: &[f64; 4]) -> f64 {
+    let changes = |breakpoint: usize| {
+        let [left, right] = given.cells_beside(breakpoint).map(|cell| given.cells[cell].stiffness);
+        left.total_cmp(&right).is_ne()
+    };
+    let stands = || list.nodes[i].breakpoint.or_else(|| given.breakpoint_at(list.nodes[i].x));
+    let is_changed = !given.divisions.is_empty() && stands().is_some_and(changes);
+    if is_changed { -beam[2] } else { at[2] }
 }
 
 /// How far the equations are from holding.

@@ -19,8 +19,8 @@ pub(super) fn in_bearings<'a>(
     span: &'a Span,
 ) -> impl Iterator<Item = (f64, f64)> + 'a {
     let under = |x: f64| {
-        let [a, b] = [&span.a, &span.b].map(|end| (end.x, end.hold == EndCondition::Free));
-        (a.0 < x || a.1 && a.0 <= x) && (x < b.0 || b.1 && x <= b.0)
+        let [a, b] = [&span.a, &span.b].map(|end| (end.x, end.hold));
+        (a.0 < x || a.1 == EndCondition::Free && a.0 <= x) && (x < b.0 || is_open(b.1) && x <= b.0)
     };
     let first = given.bearings.partition_point(|&i| given.breakpoints[i].x < span.a.x);
     let bearings = given.bearings[first..].iter().map(|&i| &given.breakpoints[i]);
@@ -91,6 +91,11 @@ pub(super) fn by_blocks(given: &PiecewiseScene, piece: &Piece, near: usize, mut 
     }
 }
 
+/// True for an end at which nothing holds the beam.
+fn is_open(hold: EndCondition) -> bool {
+    matches!(hold, EndCondition::Free | EndCondition::Within)
+}
+
 /// The deepest penetration in one cell and at the edge at its end, if it is deeper than what is allowed.
 fn in_cell(given: &PiecewiseScene, part: &Piece, span: &Span, allowed: f64, taylor: &mut [f64]) -> Option<(f64, f64)> {
     part.clearance(given, taylor);
@@ -98,7 +103,8 @@ fn in_cell(given: &PiecewiseScene, part: &Piece, span: &Span, allowed: f64, tayl
     let inside = lowest_below(taylor, part.width(), -allowed).map(|(s, value)| (part.place(s), -value));
     // At the foot of cliffs: along them the clearance is a sum of their heights, at the edge it is what is given.
     let edge = &given.breakpoints[part.cell + 1];
-    let is_inside = edge.x <= part.hi && edge.x < span.b.x && given.is_edge(part.cell + 1);
+    let before_end = edge.x < span.b.x || span.b.hold == EndCondition::Within;
+    let is_inside = edge.x <= part.hi && before_end && given.is_edge(part.cell + 1);
     let is_cliff = || edge.step != 0.0 || edge.depth.abs() <= given.rise(part.cell);
     if !is_inside || given.is_straight(part.cell) && !is_cliff() {
         return inside;

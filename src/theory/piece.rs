@@ -1,7 +1,7 @@
 //! The beam by pieces: over each of them it is one polynomial, from a contact over all cells under one line of load to the next
 //! contact, or to the middle between the two. In each of its cells the clearance is one polynomial (or nearly so, for a cosine).
 
-use super::piecewise::PiecewiseScene;
+use super::piecewise::{Cell, PiecewiseScene};
 use super::span::{End, EndCondition, Span, difference};
 
 /// A part of the beam that is one polynomial.
@@ -24,9 +24,9 @@ pub(super) struct Piece {
 /// Beam and clearance at a place, with three derivatives.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct State {
-    /// `v, v', v'', v'''`.
+    /// `v, v', e v'', e v'''`.
     pub(super) beam: [f64; 4],
-    /// `h, h', h'', h'''`: beside a contact more accurate than `u − v`.
+    /// `h, h', e h'', e h'''`: beside a contact more accurate than `u − v`.
     pub(super) clearance: [f64; 4],
 }
 
@@ -40,9 +40,15 @@ impl Piece {
             return out.fill(0.0);
         };
         given.profile(self.cell, self.anchor, out);
-        out[..4].copy_from_slice(&[h, h1, h2 / 2.0, h3 / 6.0]);
-        out[4] -= given.load(self.cell, self.anchor) / 24.0;
-        out[5] -= given.cells[self.cell].load_slope / 120.0;
+        let e = self.stiffness(given);
+        out[..4].copy_from_slice(&[h, h1, h2 / 2.0 / e, h3 / 6.0 / e]);
+        out[4] -= given.load(self.cell, self.anchor) / 24.0 / e;
+        out[5] -= given.cells[self.cell].load_slope / 120.0 / e;
+    }
+
+    /// `e` on it.
+    pub(super) fn stiffness(&self, given: &PiecewiseScene) -> f64 {
+        given.cells[self.cell].stiffness
     }
 
     /// Taylor coefficients of the deflection `v` at the anchor.
@@ -135,10 +141,13 @@ impl Piece {
         let cell = self.nth(k);
         let x = given.breakpoints[at(k)].x;
         let taylor = beam_taylor(given, self.cell, self.anchor, &state.beam);
-        let beam = derivatives(&taylor, x - self.anchor);
+        let e = self.stiffness(given);
+        let bent = |[v, v1, v2, v3]: [f64; 4]| [v, v1, v2 * e, v3 * e];
+        let beam = bent(derivatives(&taylor, x - self.anchor));
         let clearance = (k <= NEAR && given.is_straight(cell) && given.is_straight(self.cell)).then(|| {
             let [h, h1, h2, h3] = state.clearance;
-            let mut clearance = derivatives(&[h, h1, h2 / 2.0, h3 / 6.0, -taylor[4], -taylor[5]], x - self.anchor);
+            let clearance = [h, h1, h2 / 2.0 / e, h3 / 6.0 / e, -taylor[4], -taylor[5]];
+            let mut clearance = bent(derivatives(&clearance, x - self.anchor));
             let slope = |cell: usize| given.derivative(cell, x, 1);
             let mut size = slope(self.cell).abs() * (x - self.anchor).abs();
             let sign = if right { 1.0 } else { -1.0 };
@@ -189,7 +198,8 @@ pub(super) fn derivatives(taylor: &[f64], t: f64) -> [f64; 4] {
 
 /// Taylor coefficients of a beam under the load of `cell` at `x`.
 fn beam_taylor(given: &PiecewiseScene, cell: usize, x: f64, [v, v1, v2, v3]: &[f64; 4]) -> [f64; 6] {
-    [*v, *v1, v2 / 2.0, v3 / 6.0, given.load(cell, x) / 24.0, given.cells[cell].load_slope / 120.0]
+    let Cell { stiffness: e, load_slope, .. } = given.cells[cell];
+    [*v, *v1, v2 / 2.0 / e, v3 / 6.0 / e, given.load(cell, x) / 24.0 / e, load_slope / 120.0 / e]
 }
 
 /// Where the pieces meet that are computed from the two ends of a span: in its middle, or at a load that stands right beside one

@@ -1,7 +1,17 @@
 //! Profile, supports and load by pieces: between breakpoints ("cells"), and what happens at the breakpoints. The profile is the gap
 //! `g = u − w0` between the ground and the undeflected beam, of a straight beam the ground itself.
 //!
-//! Everything is dimensionless and divided by `EI`, so that the beam's equation is `v'''' = q − p` and a moment is `−v''`.
+//! Everything is dimensionless, and forces and moments are over `EI₀`, the least bending stiffness. With `e(x) = EI/EI₀ ≥ 1`, which is
+//! the same between breakpoints,
+//!
+//! ```text
+//! state      v, v', e v'', e v'''          minus the latter two are moment and shear force: continuous wherever nothing acts
+//! beam       e v'''' = q − p
+//! joint      [v'] = w e v''                with its flexibility w = EI₀/k_j; of a hinge it is infinite
+//! clearance  h = g − v with h, h', e h'', e h''': where e changes below curved ground a couple [e] g'' and a load −[e] g''' act on it
+//! ```
+
+mod along;
 
 use super::gauss::Gauss;
 use super::shape::Shape;
@@ -19,6 +29,8 @@ pub(super) struct Cell {
     pub(super) load: f64,
     /// Derivative of the load.
     pub(super) load_slope: f64,
+    /// `e`, the bending stiffness over the least one.
+    pub(super) stiffness: f64,
 }
 
 /// A breakpoint, and the two ends of the beam.
@@ -30,8 +42,10 @@ pub(super) struct Breakpoint {
     pub(super) depth: f64,
     /// Point load.
     pub(super) force: f64,
-    /// By how much `v''` jumps: a couple.
+    /// By how much `e v''` jumps: a couple.
     pub(super) couple: f64,
+    /// `w`, how flexible a joint is; zero where there is none.
+    pub(super) joint: f64,
     /// Jump `u(x+) − u(x−)` of the depth.
     pub(super) step: f64,
     /// Jump `u'(x+) − u'(x−)` of the slope.
@@ -74,10 +88,12 @@ pub(super) struct PiecewiseScene {
     /// One more than cells: breakpoint `i` is the left end of cell `i`.
     pub(super) breakpoints: Vec<Breakpoint>,
     /// Where a run of cells ends over which the beam is one polynomial: breakpoints between two cells whose loads are not one line,
-    /// or at which a force acts, and on curved ground all of them; from left to right.
+    /// or at which a force acts or the beam changes, and on curved ground all of them; from left to right.
     pub(super) run_ends: Vec<usize>,
     /// The largest kink of the profile, and its largest step.
     pub(super) roughest: [f64; 2],
+    /// The breakpoints at which the beam changes: its stiffness, or a joint. A span is divided there; from left to right.
+    pub(super) divisions: Vec<usize>,
     /// The smooth pieces of the profile.
     pub(super) shapes: Vec<Shape>,
     /// Where they end, but the last.
@@ -114,12 +130,18 @@ impl PiecewiseScene {
         self.shapes[self.cells[cell].shape].taylor(x, out);
     }
 
-    /// `u, u', u'', u'''` at `x` in `cell`.
+    /// `u, u', e u'', e u'''` at `x` in `cell`: the state of a beam that follows the profile.
     pub(super) fn derivatives(&self, cell: usize, x: f64) -> [f64; 4] {
         let mut taylor = [0.0; 4];
         self.profile(cell, x, &mut taylor);
         let [u, u1, u2, u3] = taylor;
-        [u, u1, 2.0 * u2, 6.0 * u3]
+        let e = self.cells[cell].stiffness;
+        [u, u1, 2.0 * u2 * e, 6.0 * u3 * e]
+    }
+
+    /// `e u''` at `x` in `cell`, or `e u'''`: minus moment or shear force of a beam that follows the profile.
+    pub(super) fn bent(&self, cell: usize, x: f64, order: usize) -> f64 {
+        self.derivative(cell, x, order) * self.cells[cell].stiffness
     }
 
     /// `u^{(order)}(x)` in `cell`, for an order up to 4.
@@ -188,16 +210,17 @@ impl PiecewiseScene {
         self.shapes[self.cells[cell].shape].degree().is_some_and(|degree| degree < 2)
     }
 
-    /// `u'''' − q` in `cell`: what drives the clearance where nothing touches, and minus the pressure where it does.
+    /// `e u'''' − q` in `cell`: what drives the clearance where nothing touches, and minus the pressure where it does.
     pub(super) fn drive(&self, cell: usize, x: f64) -> f64 {
         let curved = self.shapes[self.cells[cell].shape].degree().is_none_or(|d| 4 <= d);
-        let profile = if curved { self.derivative(cell, x, 4) } else { 0.0 };
+        let profile = if curved { self.bent(cell, x, 4) } else { 0.0 };
         profile - self.load(cell, x)
     }
 
     /// The same at a distance `t` from `lo`, without the waves of a profile, which follow in closed form.
     pub(super) fn drive_without_waves(&self, cell: usize, lo: f64, t: f64) -> f64 {
-        self.shapes[self.cells[cell].shape].fourth_without_waves(lo + t) - self.load_beyond(cell, lo, t)
+        let Cell { shape, stiffness, .. } = self.cells[cell];
+        stiffness * self.shapes[shape].fourth_without_waves(lo + t) - self.load_beyond(cell, lo, t)
     }
 
     /// The cell in which `x` lies; at a breakpoint the one to its right, at the right end the last one.
@@ -295,25 +318,10 @@ impl PiecewiseScene {
         }
     }
 
-    /// The stretches of tension that reach into the open stretch from `a` to `b`; with `a = b`, that contain this place.
-    pub(super) fn tension_between(&self, a: f64, b: f64) -> impl Iterator<Item = &(f64, f64)> {
-        let next = self.tension.partition_point(|&(_, hi)| hi <= a);
-        self.tension[next..].iter().take_while(move |&&(lo, _)| lo < b)
-    }
-
     /// The breakpoints between `a` and `b`, neither of them included.
     pub(super) fn breakpoints_inside(&self, a: f64, b: f64) -> std::ops::Range<usize> {
         let first = self.breakpoints.partition_point(|j| j.x <= a);
         first..self.breakpoints.partition_point(|j| j.x < b).max(first)
-    }
-
-    /// How far to the left a zone that starts at `x` may be extended, and how far to the right one that ends there: to the
-    /// next stretch of tension, or through the one in which `x` lies.
-    pub(super) fn next_tension(&self, x: f64) -> [f64; 2] {
-        let next = self.tension.partition_point(|&(_, hi)| hi <= x);
-        let lo = next.checked_sub(1).map_or(0.0, |i| self.tension[i].1);
-        let hi = self.tension.get(next).map_or(self.length, |&(lo, _)| lo);
-        if x <= hi { [lo, hi] } else { [0.0, self.length] }
     }
 
     /// The breakpoint at `x`, if there is one.
@@ -341,15 +349,6 @@ impl PiecewiseScene {
     /// True if breakpoint `i` is an end of the beam without a support.
     pub(super) fn is_free_end(&self, i: usize) -> bool {
         self.free_ends[0] && i == 0 || self.free_ends[1] && i == self.cells.len()
-    }
-
-    /// True if the profile is straight beside the free end at breakpoint `i`, where no couple acts, so that a zone may reach it.
-    pub(super) fn is_flat_end(&self, i: usize) -> bool {
-        let [_, cell] = self.cells_beside(i);
-        self.is_free_end(i)
-            && !self.is_bearing(i)
-            && self.breakpoints[i].couple == 0.0
-            && self.shapes[self.cells[cell].shape].degree().is_some_and(|degree| degree < 2)
     }
 
     /// The support at breakpoint `i`, if there is one.
@@ -388,9 +387,10 @@ impl PiecewiseScene {
     }
 
     /// True if the beam can rest on breakpoint `i`: an edge, a kink that points upwards, or a support that only pushes. Its own free
-    /// end above ground is an edge as well.
+    /// end above ground is an edge as well, and so is a joint, its own kink.
     pub(super) fn is_edge(&self, i: usize) -> bool {
         let corner = || self.breakpoints[i].step != 0.0 || 0.0 < self.breakpoints[i].kink;
-        self.is_bearing(i) || self.founded && (self.is_free_end(i) || self.breaks_at(i) && corner())
+        let joint = self.breakpoints[i].joint != 0.0;
+        self.is_bearing(i) || self.founded && (self.is_free_end(i) || joint || self.breaks_at(i) && corner())
     }
 }

@@ -8,7 +8,8 @@ use super::check::Check;
 use super::list::{List, Node};
 use super::normal::{edge_node, merged};
 use super::piecewise::PiecewiseScene;
-use super::span::Span;
+use super::sensitivity::ends;
+use super::span::{EndCondition, Span};
 use super::violation::Violation;
 use crate::certificate::Slope;
 
@@ -91,8 +92,7 @@ impl Repair<'_> {
         let given = self.given;
         let x = self.list.nodes[i].x;
         for (right, outwards) in [(i, -1.0), (i + 1, 1.0)] {
-            let Ok(span) = self.checked.spans.binary_search_by_key(&right, |(j, _)| *j) else { continue };
-            let (_, span) = &self.checked.spans[span];
+            let Some(span) = ends(&self.checked.spans, i)[right - i] else { continue };
             let (side, at) = if right == i { (0, &span.at_b) } else { (1, &span.at_a) };
             if !given.supports[index].tangent[side] || 0.0 <= at[2] {
                 continue;
@@ -136,17 +136,15 @@ impl Repair<'_> {
         let cell = given.cell_from(place);
         self.added.push(if left { Node::start(place, cell) } else { Node::end(place, cell) });
         let bent = if left { tip.couple(given) } else { -tip.couple(given) };
-        if given.derivative(tip.cell, tip.x, 2) < bent {
+        if given.bent(tip.cell, tip.x, 2) < bent {
             self.added.push(edge_node(given, if left { 0 } else { given.cells.len() }));
         }
     }
 
     /// The beam penetrates the foundation in the span before node `i`, deepest at `at`.
     fn penetration(&mut self, i: usize, at: f64) {
-        let Ok(index) = self.checked.spans.binary_search_by_key(&i, |(j, _)| *j) else {
-            return;
-        };
-        let (_, span) = &self.checked.spans[index];
+        let mut parts = self.checked.spans.iter().filter(|(right, _)| *right == i).map(|(_, span)| span);
+        let Some(span) = parts.clone().find(|span| at <= span.b.x).or(parts.next_back()) else { return };
         if let Some(breakpoint) = edge_at(self.given, span, at) {
             self.added.push(edge_node(self.given, breakpoint));
             return;
@@ -173,5 +171,11 @@ fn edge_at(given: &PiecewiseScene, span: &Span, at: f64) -> Option<usize> {
     if let Some((_, end)) = ends.into_iter().find(|&(x, end)| given.is_free_end(end) && (at - x).abs() < near) {
         return Some(end);
     }
-    given.breakpoints_inside(at - near, at + near).find(|&j| span.a.cell < j && j <= span.b.cell && given.is_edge(j))
+    let within = |j: usize| span.a.cell < j && j <= span.b.cell;
+    let joined = |j: usize| {
+        [(&span.a, span.a.cell), (&span.b, span.b.cell + 1)]
+            .iter()
+            .any(|(end, i)| end.hold == EndCondition::Within && *i == j)
+    };
+    given.breakpoints_inside(at - near, at + near).find(|&j| (within(j) || joined(j)) && given.is_edge(j))
 }

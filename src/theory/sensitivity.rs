@@ -295,9 +295,12 @@ pub(super) fn standing(given: &PiecewiseScene, list: &List, i: usize) -> f64 {
     given.breakpoint_at(list.nodes[i].x).map_or(0.0, |breakpoint| given.breakpoints[breakpoint].force)
 }
 
-/// The spans to the left and to the right of a node.
+/// The spans to the left and to the right of a node, of divided ones the parts that are next to it.
 pub(super) fn ends(spans: &[(usize, Span)], i: usize) -> [Option<&Span>; 2] {
-    [i, i + 1].map(|right| spans.binary_search_by_key(&right, |(j, _)| *j).ok().map(|found| &spans[found].1))
+    let behind = spans.partition_point(|(right, _)| *right <= i);
+    let before = behind.checked_sub(1).map(|before| &spans[before]).filter(|(right, _)| *right == i);
+    let after = spans.get(behind).filter(|(right, _)| *right == i + 1);
+    [before, after].map(|span| span.map(|(_, span)| span))
 }
 
 /// `h''` at a smooth point, the same on both sides.

@@ -14,8 +14,10 @@
 //! by far less than they are.
 
 use super::cosine;
+use super::divided::Answer;
 use super::overhang::Overhang;
 use super::piecewise::PiecewiseScene;
+use super::way::{Prescribed, Way};
 
 /// How a span begins or ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,21 +46,23 @@ pub(super) enum EndCondition {
     },
     /// A free end of the beam: `v'' = v''' = 0`.
     Free,
+    /// No end: the span goes on, and something changes here.
+    Within,
 }
 
 impl EndCondition {
     /// `h`.
-    fn height(self) -> f64 {
+    pub(super) fn height(self) -> f64 {
         match self {
-            Self::Resting | Self::Free => 0.0,
+            Self::Resting | Self::Free | Self::Within => 0.0,
             Self::Edge { height, .. } | Self::Hinge { height, .. } => height,
         }
     }
 
     /// `v`, where the profile is `depth` deep.
-    fn level(self, depth: f64) -> f64 {
+    pub(super) fn level(self, depth: f64) -> f64 {
         match self {
-            Self::Resting | Self::Free => depth,
+            Self::Resting | Self::Free | Self::Within => depth,
             Self::Edge { level, .. } | Self::Hinge { level, .. } => level,
         }
     }
@@ -96,74 +100,44 @@ pub(super) struct Span {
     pub(super) a: End,
     /// Right end.
     pub(super) b: End,
-    /// `h, h', h'', h'''` at the left end.
+    /// `h, h', e h'', e h'''` at the left end.
     pub(super) at_a: [f64; 4],
-    /// `h, h', h'', h'''` at the right end.
+    /// `h, h', e h'', e h'''` at the right end.
     pub(super) at_b: [f64; 4],
-    /// `v, v', v'', v'''` at the left end.
+    /// `v, v', e v'', e v'''` at the left end.
     pub(super) beam_a: [f64; 4],
-    /// `v, v', v'', v'''` at the right end.
+    /// `v, v', e v'', e v'''` at the right end.
     pub(super) beam_b: [f64; 4],
+    /// `e` on it.
+    pub(super) stiffness: f64,
+    /// Of a part of a divided span, how moments at both ends of the whole answer to the slopes there; of a whole span it is closed.
+    pub(super) answer: Option<Answer>,
 }
 
 impl Span {
-    /// The span between two ends.
-    ///
-    /// The equations are the same in `v` with `v'''' = q`, and over many waves or cliffs of a profile they have to be solved
-    /// in `v`: `h''` there is of the size of `u''`, and so would be the rounding of `v''`.
+    /// The span between two ends, over which the beam does not change.
     pub(super) fn between(given: &PiecewiseScene, a: End, b: End) -> Self {
-        let l = b.x - a.x;
-        let profiles = [given.derivatives(a.cell, a.x), given.derivatives(b.cell, b.x)];
-        let ends = [&a, &b];
-        let heights = [0, 1].map(|i| ends[i].hold.height());
-        let levels = [0, 1].map(|i| ends[i].hold.level(profiles[i][0]));
-        let in_beam = is_in_beam(given, ends, heights, levels, profiles.map(|profile| profile[2]));
-        let rise = if in_beam {
-            let beyond =
-                |i: usize| if ends[i].hold == EndCondition::Resting { profiles[i][1] * ends[i].low } else { 0.0 };
-            levels[1] - levels[0] + (beyond(1) - beyond(0))
-        } else {
-            heights[1] - heights[0]
-        };
-        let incline = rise / l;
-        let held = [0, 1].map(|i| match (ends[i].hold, in_beam) {
-            (EndCondition::Resting, true) => Prescribed::Slope(profiles[i][1] + profiles[i][2] * ends[i].low - incline),
-            (EndCondition::Resting, false) => Prescribed::Slope(-incline),
-            (EndCondition::Edge { slope: [slope, rest], .. }, true) => Prescribed::Slope(slope - incline + rest),
-            (EndCondition::Edge { slope: [slope, rest], .. }, false) => {
-                Prescribed::Slope(profiles[i][1] - slope - rest - incline)
-            }
-            (EndCondition::Hinge { curvature, .. }, true) => Prescribed::Curvature(curvature),
-            (EndCondition::Hinge { curvature, .. }, false) => Prescribed::Curvature(profiles[i][2] - curvature),
-            (EndCondition::Free, _) => Prescribed::Curvature(0.0),
-        });
-        let solved = solve(l, held, &fixed_end(given, &a, &b, if in_beam { Drive::Load } else { Drive::Clearance }));
+        let (l, way) = (b.x - a.x, Way::of(given, &a, &b));
+        let e = given.cells[a.cell].stiffness;
+        let of = if way.in_beam { Drive::Load } else { Drive::Clearance };
+        let solved = solve([l, l / e], way.held, &fixed_end(given, &a, &b, of));
         let mut at = [[0.0; 4]; 2];
         let mut beam = [[0.0; 4]; 2];
         for i in 0..2 {
             let [slope, curvature, third] = solved[i];
-            let profile = &profiles[i];
-            if in_beam {
-                beam[i] = [levels[i], slope + incline, curvature, third];
+            let profile = &way.profiles[i];
+            if way.in_beam {
+                beam[i] = [way.levels[i], slope + way.incline, curvature, third];
                 at[i] = difference(profile, &beam[i]);
             } else {
-                at[i] = [heights[i], slope + incline, curvature, third];
+                at[i] = [way.heights[i], slope + way.incline, curvature, third];
                 beam[i] = difference(profile, &at[i]);
             }
-            // What is given is known without rounding.
-            at[i][0] = heights[i];
-            match ends[i].hold {
-                EndCondition::Resting => at[i][1] = 0.0,
-                EndCondition::Edge { slope: [slope, rest], .. } => {
-                    (at[i][1], beam[i][1]) = (profile[1] - slope - rest, slope);
-                }
-                EndCondition::Hinge { curvature, .. } => (at[i][2], beam[i][2]) = (profile[2] - curvature, curvature),
-                EndCondition::Free => {}
-            }
+            way.know(i, &mut at[i], &mut beam[i]);
         }
         let [at_a, at_b] = at;
         let [beam_a, beam_b] = beam;
-        Self { a, b, at_a, at_b, beam_a, beam_b }
+        Self { a, b, at_a, at_b, beam_a, beam_b, stiffness: e, answer: None }
     }
 
     /// The overhang between a free end of the beam and the node `held`; `slope` is that of the beam at the node. With the
@@ -177,6 +151,8 @@ impl Span {
         let free = End { x, low: 0.0, cell, hold: EndCondition::Free };
         let length = (held.x - free.x).abs();
         let Overhang { force, moment, turn, sag } = Overhang::of(given, held.x, at_left);
+        let e = given.cells[free.cell].stiffness;
+        let [turn, sag] = [turn / e, sag / e];
         let profiles = [given.derivatives(held.cell, held.x), given.derivatives(free.cell, free.x)];
         // Outwards is to the left or to the right.
         let sign = if at_left { 1.0 } else { -1.0 };
@@ -193,10 +169,27 @@ impl Span {
         }
         let at_free = difference(&profiles[1], &beam_free);
         if at_left {
-            Self { a: free, b: held, at_a: at_free, at_b: at_held, beam_a: beam_free, beam_b: beam_held }
+            Self::of([free, held], [at_free, at_held], [beam_free, beam_held], e)
         } else {
-            Self { a: held, b: free, at_a: at_held, at_b: at_free, beam_a: beam_held, beam_b: beam_free }
+            Self::of([held, free], [at_held, at_free], [beam_held, beam_free], e)
         }
+    }
+
+    /// The span with these states at its ends, of clearance and beam.
+    pub(super) fn of(
+        [a, b]: [End; 2],
+        [at_a, at_b]: [[f64; 4]; 2],
+        [beam_a, beam_b]: [[f64; 4]; 2],
+        stiffness: f64,
+    ) -> Self {
+        Self { a, b, at_a, at_b, beam_a, beam_b, stiffness, answer: None }
+    }
+
+    /// The same with nothing known of it.
+    pub(super) fn unknown(self) -> Self {
+        /// No number, so that every condition fails.
+        const UNKNOWN: [f64; 4] = [f64::NAN; 4];
+        Self { at_a: UNKNOWN, at_b: UNKNOWN, beam_a: UNKNOWN, beam_b: UNKNOWN, ..self }
     }
 
     /// True if it ends at a free end of the beam.
@@ -210,43 +203,23 @@ impl Span {
     }
 }
 
-/// Whether a span is computed in its deflection, and not in its clearance: the one whose chord and bend are smaller.
-fn is_in_beam(given: &PiecewiseScene, [a, b]: [&End; 2], heights: [f64; 2], levels: [f64; 2], bends: [f64; 2]) -> bool {
-    let chord = |at: [f64; 2]| 6.0 * at[0].abs().max(at[1].abs()) / ((b.x - a.x) * (b.x - a.x));
-    // Between supports and edges levels are given, and a clearance that is not zero is the rounded difference of a depth and a level.
-    let rests = [a, b].iter().any(|end| end.hold == EndCondition::Resting);
-    let rounded = [0, 1].map(|i| if rests || heights[i] == 0.0 { 0.0 } else { levels[i].abs() });
-    let terms = [0, 1].map(|i| heights[i].abs() + rounded[i]);
-    let in_clearance = chord(terms).max(bends[0].abs().max(bends[1].abs()));
-    chord(levels) < in_clearance || is_broken(given, a, b, chord(levels))
-}
-
-/// True if one of the kinks and steps inside a span does more than this to `h''`: over a cliff that goes down and up again they
-/// are huge and cancel, and so `h` is not what to compute there.
-fn is_broken(given: &PiecewiseScene, a: &End, b: &End, bend: f64) -> bool {
-    let l = b.x - a.x;
-    let more = |[kink, step]: [f64; 2]| bend < (4.0 * kink + 6.0 * step / l) / l;
-    let inside = || given.breakpoints_between(a.cell, b.cell).iter();
-    more(given.roughest) && inside().any(|j| more([j.kink.abs(), j.step.abs()]))
-}
-
 /// Which fourth derivative.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Drive {
-    /// Of `h`: `u'''' − q`.
+pub(super) enum Drive {
+    /// Of `h`: `e u'''' − q`.
     Clearance,
     /// Of `v`: `q`.
     Load,
 }
 
 /// What the drive over a span does at its ends.
-struct FixedEnd {
+pub(super) struct FixedEnd {
     /// Fixed-end moments `G`.
-    moment: [f64; 2],
+    pub(super) moment: [f64; 2],
     /// Shear forces of a span that is free to turn at both ends.
-    shear: [f64; 2],
+    pub(super) shear: [f64; 2],
     /// Shear forces of a span that is clamped at both: the same and the difference of the moments over `ℓ`, without cancellation.
-    clamped: [f64; 2],
+    pub(super) clamped: [f64; 2],
 }
 
 /// `u − v` or `u − h`, with three derivatives.
@@ -254,39 +227,30 @@ pub(super) fn difference(u: &[f64; 4], v: &[f64; 4]) -> [f64; 4] {
     [u[0] - v[0], u[1] - v[1], u[2] - v[2], u[3] - v[3]]
 }
 
-/// What is given at an end of a span.
-#[derive(Debug, Clone, Copy)]
-enum Prescribed {
-    /// The slope, counted from the straight line through both ends.
-    Slope(f64),
-    /// The second derivative.
-    Curvature(f64),
-}
-
-/// The slope-deflection equations: slope, counted from the straight line through both ends, second and third derivative at
-/// both ends of a span of length `l`.
-fn solve(l: f64, [a, b]: [Prescribed; 2], fixed: &FixedEnd) -> [[f64; 3]; 2] {
+/// The slope-deflection equations: slope, counted from the straight line through both ends, second and third derivative, times `e`, at
+/// both ends of a span of length `l` and `flex = l/e`.
+fn solve([l, flex]: [f64; 2], [a, b]: [Prescribed; 2], fixed: &FixedEnd) -> [[f64; 3]; 2] {
     let [rest_a, rest_b] = fixed.moment;
     let (slope_a, slope_b) = match (a, b) {
         (Prescribed::Slope(left), Prescribed::Slope(right)) => (left, right),
         (Prescribed::Curvature(curvature), Prescribed::Slope(slope)) => {
-            (0.25 * l * (rest_a - curvature) - 0.5 * slope, slope)
+            (0.25 * flex * (rest_a - curvature) - 0.5 * slope, slope)
         }
         (Prescribed::Slope(slope), Prescribed::Curvature(curvature)) => {
-            (slope, 0.25 * l * (curvature - rest_b) - 0.5 * slope)
+            (slope, 0.25 * flex * (curvature - rest_b) - 0.5 * slope)
         }
         (Prescribed::Curvature(left), Prescribed::Curvature(right)) => {
             // 4 φ_a + 2 φ_b = ℓ (rest_a − left),  2 φ_a + 4 φ_b = ℓ (right − rest_b).
-            let (first, second) = (l * (rest_a - left), l * (right - rest_b));
+            let (first, second) = (flex * (rest_a - left), flex * (right - rest_b));
             ((2.0 * first - second) / 6.0, (2.0 * second - first) / 6.0)
         }
     };
     let curvature_a = match a {
-        Prescribed::Slope(_) => rest_a - (4.0 * slope_a + 2.0 * slope_b) / l,
+        Prescribed::Slope(_) => rest_a - (4.0 * slope_a + 2.0 * slope_b) / flex,
         Prescribed::Curvature(curvature) => curvature,
     };
     let curvature_b = match b {
-        Prescribed::Slope(_) => rest_b + (2.0 * slope_a + 4.0 * slope_b) / l,
+        Prescribed::Slope(_) => rest_b + (2.0 * slope_a + 4.0 * slope_b) / flex,
         Prescribed::Curvature(curvature) => curvature,
     };
     let [third_a, third_b] = if let (Prescribed::Curvature(_), Prescribed::Curvature(_)) = (a, b) {
@@ -294,7 +258,7 @@ fn solve(l: f64, [a, b]: [Prescribed; 2], fixed: &FixedEnd) -> [[f64; 3]; 2] {
         [across - fixed.shear[0], across + fixed.shear[1]]
     } else {
         // Not from both moments: of a load just beside an end they leave the other end its rounding.
-        let turned = 6.0 * (slope_a + slope_b) / (l * l);
+        let turned = 6.0 * (slope_a + slope_b) / (l * flex);
         [turned - fixed.clamped[0], turned + fixed.clamped[1]]
     };
     [[slope_a, curvature_a, third_a], [slope_b, curvature_b, third_b]]
@@ -307,7 +271,7 @@ pub(super) fn fixed_end_of_load(given: &PiecewiseScene, a: &End, b: &End) -> ([f
 }
 
 /// `G_a`, `G_b` and `∫ f (ℓ − t)/ℓ`, `∫ f t/ℓ`, point loads included; kinks and steps turn the beam but carry no force.
-fn fixed_end(given: &PiecewiseScene, a: &End, b: &End, of: Drive) -> FixedEnd {
+pub(super) fn fixed_end(given: &PiecewiseScene, a: &End, b: &End, of: Drive) -> FixedEnd {
     let l = b.x - a.x;
     let (mut moment, mut shear, mut clamped) = ([0.0; 2], [0.0; 2], [0.0; 2]);
     // Distances from both ends: those of a place are the same but for rounding, which over a short span is more than that of a load.
@@ -342,15 +306,17 @@ fn fixed_end(given: &PiecewiseScene, a: &End, b: &End, of: Drive) -> FixedEnd {
     if of == Drive::Load {
         return FixedEnd { moment, shear, clamped };
     }
+    let e = given.cells[a.cell].stiffness;
+    let flex = l / e;
     for breakpoint in given.breakpoints_between(a.cell, b.cell) {
         let s = (breakpoint.x - a.x) / l;
-        moment[0] += (breakpoint.kink * (6.0 * s - 4.0) - 6.0 * breakpoint.step / l) / l;
-        moment[1] += (breakpoint.kink * (2.0 - 6.0 * s) + 6.0 * breakpoint.step / l) / l;
-        let turned = (breakpoint.kink * (12.0 * s - 6.0) - 12.0 * breakpoint.step / l) / (l * l);
+        moment[0] += (breakpoint.kink * (6.0 * s - 4.0) - 6.0 * breakpoint.step / l) / flex;
+        moment[1] += (breakpoint.kink * (2.0 - 6.0 * s) + 6.0 * breakpoint.step / l) / flex;
+        let turned = (breakpoint.kink * (12.0 * s - 6.0) - 12.0 * breakpoint.step / l) / (l * flex);
         clamped = [clamped[0] + turned, clamped[1] - turned];
     }
     for wave in waves.into_iter().flatten() {
-        let (g, q) = cosine::fixed_end(wave.amplitude, wave.number, wave.angle(0.5 * (a.x + b.x)), l);
+        let (g, q) = cosine::fixed_end(e * wave.amplitude, wave.number, wave.angle(0.5 * (a.x + b.x)), l);
         for end in 0..2 {
             moment[end] += g[end];
             shear[end] += q[end];

@@ -9,7 +9,7 @@ use super::piecewise::PiecewiseScene;
 use super::search::Candidate;
 use crate::state::{Contact, ContactState, Extremes, Reactions, Regime, SupportForce, larger_moment};
 
-/// The state of a beam of this bending stiffness.
+/// The state of a beam of this least bending stiffness.
 pub(super) fn state(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -> ContactState {
     let pieces = &found.checked.pieces;
     let (supports, contacts) = (supports(given, found, stiffness), contacts(given, found, stiffness));
@@ -87,7 +87,7 @@ fn on_the_beam(x: f64, length: f64) -> f64 {
     if (x - nearest).abs() <= PLACE * length { nearest } else { x }
 }
 
-/// `J / EI = ∫ ½ v''² − q v dx − Σ P v − Σ C v'`, every integral exact.
+/// `J / EI₀ = ∫ ½ e v''² − q v dx − Σ P v − Σ C v' + Σ ½ w (e v'')²`, every integral exact.
 fn energy(given: &PiecewiseScene, pieces: &[Piece]) -> f64 {
     let mut taylor = vec![0.0; given.terms];
     let mut sum = 0.0;
@@ -97,7 +97,7 @@ fn energy(given: &PiecewiseScene, pieces: &[Piece]) -> f64 {
         // From the anchor outwards: of a short piece far from zero a place has not the digits that its distance has.
         sum += given.energy_rule.integral(0.0, piece.width(), |s| {
             let [v, _, v2, _] = derivatives(&taylor, s);
-            0.5 * v2 * v2 - given.load(piece.cell, piece.place(s)) * v
+            0.5 * v2 * v2 * piece.stiffness(given) - given.load(piece.cell, piece.place(s)) * v
         });
     }
     for breakpoint in given.forces() {
@@ -107,10 +107,20 @@ fn energy(given: &PiecewiseScene, pieces: &[Piece]) -> f64 {
         let [v, v1, ..] = derivatives(&taylor, breakpoint.x.max(piece.lo).min(piece.hi) - piece.anchor);
         sum += breakpoint.couple * v1 - breakpoint.force * v;
     }
+    // A joint takes up half of its turn times its moment.
+    for joint in
+        given.divisions.iter().map(|&i| &given.breakpoints[i]).filter(|at| 0.0 < at.joint && at.joint.is_finite())
+    {
+        let i = pieces.partition_point(|p| p.hi < joint.x).min(pieces.len() - 1);
+        pieces[i].deflection(given, &mut taylor);
+        let [_, _, v2, _] = derivatives(&taylor, joint.x - pieces[i].anchor);
+        let bent = v2 * pieces[i].stiffness(given);
+        sum += 0.5 * joint.joint * bent * bent;
+    }
     sum
 }
 
-/// Extremes of `v` and of `v''`: at the ends of pieces and at the roots of their derivatives.
+/// Extremes of `v` and of `e v''`: at the ends of pieces and at the roots of their derivatives.
 fn extremes(given: &PiecewiseScene, pieces: &[Piece]) -> (Extremes, Extremes) {
     let mut taylor = vec![0.0; given.terms];
     // Inside a piece only where it may go beyond what the ends of all pieces have.
@@ -120,6 +130,7 @@ fn extremes(given: &PiecewiseScene, pieces: &[Piece]) -> (Extremes, Extremes) {
         piece.deflection(given, &mut taylor);
         for x in [piece.lo, piece.hi] {
             let [v, _, v2, _] = derivatives(&taylor, x - piece.anchor);
+            let v2 = v2 * piece.stiffness(given);
             ends = [ends[0].min(v), ends[1].max(v)];
             bends = [bends[0].min(v2), bends[1].max(v2)];
         }
@@ -129,7 +140,9 @@ fn extremes(given: &PiecewiseScene, pieces: &[Piece]) -> (Extremes, Extremes) {
         piece.deflection(given, &mut taylor);
         piece.outwards(&mut taylor);
         add_extremes(piece, &taylor, ends, &mut first);
-        add_extremes(piece, differentiated(differentiated(&mut taylor)), bends, &mut second);
+        let bent = differentiated(differentiated(&mut taylor));
+        bent.iter_mut().for_each(|c| *c *= piece.stiffness(given));
+        add_extremes(piece, bent, bends, &mut second);
     }
     (Extremes::of(first.iter().copied()), Extremes::of(second.iter().copied()))
 }

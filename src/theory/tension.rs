@@ -3,7 +3,7 @@
 
 use super::bernstein::{lowest_below, sign_changes};
 use super::list::Node;
-use super::piecewise::{Breakpoint, PiecewiseScene};
+use super::piecewise::PiecewiseScene;
 use super::span::{End, Span};
 
 /// Taylor coefficients of the pressure of a zone at the left end of `cell`.
@@ -18,7 +18,7 @@ pub(super) fn pressure(given: &PiecewiseScene, cell: usize) -> Vec<f64> {
         .map(|(j, c)| {
             #[expect(clippy::cast_precision_loss, reason = "a degree is a small number")]
             let j = j as f64;
-            -c * j * (j - 1.0) * (j - 2.0) * (j - 3.0)
+            -c * j * (j - 1.0) * (j - 2.0) * (j - 3.0) * given.cells[cell].stiffness
         })
         .collect();
     pressure[0] += c.load;
@@ -27,7 +27,8 @@ pub(super) fn pressure(given: &PiecewiseScene, cell: usize) -> Vec<f64> {
 }
 
 /// Stretches in which a zone would pull at the beam, from left to right; a point load that does so is one without length, and so is a
-/// couple: the moment of a beam that follows the ground does not jump.
+/// couple, and so is a change of the bending stiffness on curved ground: the moment of a beam that follows the ground does not jump, and
+/// the stiffer part of it would need the larger one.
 pub(super) fn tension_intervals(given: &PiecewiseScene) -> Vec<(f64, f64)> {
     /// Rounding of `q` and `u''''` against each other.
     const ROUNDING: f64 = 1e-13;
@@ -37,7 +38,8 @@ pub(super) fn tension_intervals(given: &PiecewiseScene) -> Vec<(f64, f64)> {
         _ => found.push((from, to)),
     };
     for (i, cell) in given.cells.iter().enumerate() {
-        if given.breakpoints[i].force < 0.0 || given.breakpoints[i].couple != 0.0 {
+        let [couple, force] = given.acts_along_ground(i);
+        if force < 0.0 || couple != 0.0 {
             add(cell.lo, cell.lo);
         }
         let width = cell.hi - cell.lo;
@@ -46,7 +48,7 @@ pub(super) fn tension_intervals(given: &PiecewiseScene) -> Vec<(f64, f64)> {
             continue;
         }
         let p = pressure(given, i);
-        let fourth = given.derivative(i, cell.lo, 4).abs();
+        let fourth = given.bent(i, cell.lo, 4).abs();
         let size = fourth + cell.load.abs() + (cell.load_slope * width).abs();
         if lowest_below(&p, width, -ROUNDING * size).is_some() {
             let mut ends = vec![0.0];
@@ -66,10 +68,13 @@ pub(super) fn tension_intervals(given: &PiecewiseScene) -> Vec<(f64, f64)> {
 /// the beam, if there is one.
 pub(super) fn mean_pull(given: &PiecewiseScene, lo: f64, hi: f64) -> f64 {
     let (first, last) = (given.cell_from(lo), given.cell_to(hi).max(given.cell_from(lo)));
-    let from = given.breakpoints.partition_point(|j| j.x < lo);
-    let inside = given.breakpoints[from..].iter().take_while(|j| j.x <= hi);
-    let lifts = |j: &Breakpoint| j.couple.abs() / given.length - j.force.min(0.0);
-    let point = inside.map(lifts).sum::<f64>() / given.length;
+    let [from, behind] =
+        [0, 1].map(|side| given.breakpoints.partition_point(|j| if side == 0 { j.x < lo } else { j.x <= hi }));
+    let lifts = |i: usize| {
+        let [couple, force] = given.acts_along_ground(i);
+        couple.abs() / given.length - force.min(0.0)
+    };
+    let point = (from..behind).map(lifts).sum::<f64>() / given.length;
     if hi <= lo {
         return point;
     }
@@ -131,7 +136,8 @@ fn gap_around(given: &PiecewiseScene, [lo, hi]: [f64; 2], [least, most]: [f64; 2
     gap
 }
 
-/// Somewhat more than the parts of the gap that a couple `C` makes under a pressure `p`, on the left and on the right of it, of the whole
+/// Somewhat more than the parts of the gap that a couple `C`, or a change of the stiffness by `C/g''`, makes under a pressure `p`, on the
+/// left and on the right of it, of the whole
 ///
 /// ```text
 /// ℓ² = 2√3 |C|/p,     (3 + √3)/6 ℓ and (3 − √3)/6 ℓ
@@ -143,11 +149,11 @@ fn margin_of_couple(given: &PiecewiseScene, lo: f64, hi: f64) -> Option<[f64; 2]
     const MORE: f64 = 1.05;
     let at = given.breakpoint_at(lo).filter(|_| hi <= lo)?;
     let [_, cell] = given.cells_beside(at);
-    let (couple, pressure) = (given.breakpoints[at].couple, -given.drive(cell, lo));
+    let ([couple, _], pressure) = (given.acts_along_ground(at), -given.drive(cell, lo));
     let root = 3.0_f64.sqrt();
     let length = MORE * (2.0 * root * couple.abs() / pressure).sqrt();
     let [long, short] = [(3.0 + root) / 6.0 * length, (3.0 - root) / 6.0 * length];
-    let margin = if couple < 0.0 { [long, short] } else { [short, long] };
+    let margin = if 0.0 < couple { [long, short] } else { [short, long] };
     (0.0 < length && length.is_finite()).then_some(margin)
 }
 

@@ -18,7 +18,7 @@ use super::gap::EnclosedGap;
 use super::interval::Interval;
 use super::load::{EnclosedLoad, cells};
 use super::span::Span;
-use crate::scene::Scene;
+use crate::scene::{Beam, Scene};
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Slope {
@@ -64,8 +64,14 @@ pub(crate) struct EnclosedScene<'a> {
     /// The place above which the resultant of the loads is exactly, if it is the only one that can carry them: its couple
     /// vanishes, whatever rounding leaves of it.
     pub(crate) balanced_at: Option<f64>,
+    /// The least bending stiffness, and the greatest one.
     pub(crate) stiffness: f64,
+    pub(crate) stiffest: f64,
     pub(crate) length: f64,
+    pub(crate) beam: &'a Beam,
+    /// Where the bending stiffness changes, and where joints are, with their stiffness; from left to right.
+    pub(crate) changes: &'a [f64],
+    pub(crate) joints: &'a [(f64, f64)],
 }
 
 impl EnclosedSupport {
@@ -98,9 +104,39 @@ impl EnclosedScene<'_> {
         self.supports.binary_search_by(|s| s.x.total_cmp(&x)).ok().map(|i| &self.supports[i])
     }
 
-    /// Cells between two places, on each of which gap and load have one formula, with these ends among others.
+    /// Cells between two places, on each of which gap, load and beam have one formula, with these ends among others.
     pub(crate) fn cells(&self, from: f64, to: f64, ends: Vec<f64>) -> Vec<[f64; 2]> {
-        cells(from, to, [ends, self.gap.breaks(from, to), self.load.breaks(from, to)].concat())
+        cells(from, to, [ends, self.gap.breaks(from, to), self.breaks(from, to)].concat())
+    }
+
+    /// Where load or beam change their formula strictly between two places.
+    pub(crate) fn breaks(&self, from: f64, to: f64) -> Vec<f64> {
+        let mut breaks = self.load.breaks(from, to);
+        let changes = self.changes.iter().copied().chain(self.joints.iter().map(|joint| joint.0));
+        breaks.extend(changes.filter(|x| from < *x && *x < to));
+        breaks
+    }
+
+    /// `EI` between two places without a change between them.
+    pub(crate) fn stiffness_between(&self, [from, to]: [f64; 2]) -> f64 {
+        if self.changes.is_empty() { self.stiffness } else { self.beam.stiffness_between(from, to) }
+    }
+
+    /// In which moments are counted where slopes are sought: over `EI` of a beam that does not change.
+    pub(crate) fn unit(&self) -> f64 {
+        if self.changes.is_empty() && self.joints.is_empty() { self.stiffness } else { 1.0 }
+    }
+
+    /// `EI` just beside a place.
+    pub(crate) fn stiffness_beside(&self, x: f64, left: bool) -> Interval {
+        let x = if left { x.next_down() } else { x.next_up() };
+        Interval::exact(self.stiffness_between([x, x]))
+    }
+
+    /// `3 EI Σ 1/k` of all joints, as much as they may add to the square of a lever ([`super::reference`]) for a moment of one in each.
+    pub(crate) fn soft(&self) -> f64 {
+        let soft = self.joints.iter().map(|joint| Interval::exact(3.0 * self.stiffness) / Interval::exact(joint.1));
+        soft.fold(Interval::ZERO, |sum, one| sum + one).hi()
     }
 
     /// How the beam meets the gap at a node, on one of its sides: 2 with its deflection and its slope, so that the gap opens with

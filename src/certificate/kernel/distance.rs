@@ -30,7 +30,7 @@ pub(crate) fn lines(pair: &Pair, part: [f64; 2]) -> impl Iterator<Item = &Line> 
 
 /// How far an admissible deflection can be off at most on a part of the beam, by the best of what holds it.
 pub(crate) fn on_part(pair: &Pair, factor: f64, part: [f64; 2]) -> f64 {
-    let bounds = lines(pair, part).map(|of| (factor * of.lever(part) + of.shift(part)) * OUTWARDS);
+    let bounds = lines(pair, part).map(|of| (factor * of.lever(part, pair.soft) + of.shift(part)) * OUTWARDS);
     bounds.fold(f64::INFINITY, f64::min)
 }
 

@@ -34,7 +34,7 @@ pub(super) fn held_by(
     let fixed = enclosed.supports.iter().filter(|s| s.is_fixed).map(|s| s.x);
     let lines = lines(enclosed, fixed.chain(turns_about), &mut carriers);
     if !lines.is_empty() {
-        let carried = cut_off.carried(&lines, enclosed.stiffness);
+        let carried = cut_off.carried(&lines, enclosed.stiffness, enclosed.soft());
         let gap = gap_of(carried, 0.0);
         let both = |Line(a, b)| Some(Line(known(a, gap, carried[1])?, known(b, gap, carried[1])?));
         // Not with a place that is used up.
@@ -47,10 +47,14 @@ pub(super) fn held_by(
     let stops = stops(enclosed, pieces, place.from, 16.0 * (couples / place.presses))?;
     // A couple is taken by the stop to which it turns the beam, and so by either.
     let lines = [Line(Datum::at(stops.0.from), place), Line(place, Datum::at(stops.1.from))];
-    let both = lines.map(|line| cut_off.carried(&[line], enclosed.stiffness));
+    let both = lines.map(|line| cut_off.carried(&[line], enclosed.stiffness, enclosed.soft()));
     let carried = [0, 1].map(|k| both[0][k] + both[1][k]);
     let gap = gap_of(carried, stops.0.uncertainty.max(stops.1.uncertainty));
-    Some((gap, carried[1], vec![between_stops(stops, known(place, gap, carried[1])?, factor(gap, enclosed.stiffness))]))
+    Some((
+        gap,
+        carried[1],
+        vec![between_stops(stops, known(place, gap, carried[1])?, factor(gap, enclosed.stiffness), enclosed.soft())],
+    ))
 }
 
 /// Where the beam is carried: single nodes, parts of zones, and loads that stand in them. What is taken from a part is taken in
@@ -62,7 +66,7 @@ pub(super) fn carriers(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode], forc
     let mut carriers: Vec<Datum> = nodes.iter().map(|node| node.x).zip(forces.iter().copied()).map(carried).collect();
     // Two supports hold the beam without its zones.
     for (from, to) in nodes.windows(2).filter(|w| w[0].lies && enclosed.supports.len() < 2).map(|w| (w[0].x, w[1].x)) {
-        let breaks = enclosed.load.breaks(from, to);
+        let breaks = enclosed.breaks(from, to);
         carriers.extend(breaks.iter().map(|&x| carried((x, enclosed.load.point(x)))));
         carriers.extend(cells(from, to, breaks).into_iter().flat_map(|cell| every_other(enclosed, cell, 3)));
     }
@@ -77,8 +81,9 @@ fn every_other(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2], parts: u32) -
         let [from, to] = [end(k), end(k + 1)];
         let [start, end] = [(from, false), (to, true)].map(|(x, left)| enclosed.gap.jet(x, left)[3]);
         let load = [from, to].map(|x| enclosed.load.line(x, [from, to])[0] * Interval::length(from, to) / number(2));
-        let presses = (Interval::exact(enclosed.stiffness) * (start - end) + load[0] + load[1]).lo();
-        (from < to && enclosed.load.breaks(from, to).is_empty()).then_some(Datum { to, presses, ..Datum::at(from) })
+        let stiffness = Interval::exact(enclosed.stiffness_between([from, to]));
+        let presses = (stiffness * (start - end) + load[0] + load[1]).lo();
+        (from < to && enclosed.breaks(from, to).is_empty()).then_some(Datum { to, presses, ..Datum::at(from) })
     };
     (0..parts).step_by(2).filter_map(pressed).collect()
 }
@@ -161,9 +166,9 @@ fn stops(enclosed: &EnclosedScene<'_>, pieces: &[Piece], x: f64, apart: f64) -> 
 /// ```text
 /// (b d₁ + a d₂)/(a + b) ≥ −ε − e,      −d₁ ≤ ((a + b)(ε + e) + a c₂)/b,      −d₂ ≤ ((a + b)(ε + e) + b c₁)/a
 /// ```
-fn between_stops(Line(left, right): Line, at: Datum, factor: f64) -> Line {
+fn between_stops(Line(left, right): Line, at: Datum, factor: f64, soft: f64) -> Line {
     let [a, b] = [Interval::length(left.from, at.from), Interval::length(at.from, right.from)];
-    let bent = Interval::exact(factor) * Interval::exact(Line(left, right).lever([at.from; 2]));
+    let bent = Interval::exact(factor) * Interval::exact(Line(left, right).lever([at.from; 2], soft));
     let risen = (a + b) * (Interval::exact(at.uncertainty) + bent);
     let known = |own: Datum, [near, far]: [Interval; 2], other: Datum| Datum {
         uncertainty: own.uncertainty.max(((risen + near * Interval::exact(other.uncertainty)) / far).hi()),

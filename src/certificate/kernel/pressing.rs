@@ -48,11 +48,11 @@ impl TensionCutOff {
     /// ```text
     /// √(∫ m²/EI dx) ≤ Σ f √c(x, x) + Σ C √((L + 3 a)/3 EI)
     /// ```
-    pub(crate) fn carried(&self, lines: &[Line], stiffness: f64) -> [Interval; 2] {
+    pub(crate) fn carried(&self, lines: &[Line], stiffness: f64, soft: f64) -> [Interval; 2] {
         let root = (number(3) * Interval::exact(stiffness)).sqrt();
         let mut sums = [Interval::ZERO; 2];
         for &(part, force, couple) in &self.pulls {
-            let bent = |line: &Line| force * line.lever(part) + couple * line.lever_of_couple(part);
+            let bent = |line: &Line| force * line.lever(part, soft) + couple * line.lever_of_couple(part, soft);
             let best = near(lines, part).iter().map(|l| (bent(l) * OUTWARDS, l)).min_by(|a, b| a.0.total_cmp(&b.0));
             let [lever, share] = best.map_or([f64::INFINITY; 2], |(m, line)| [m, line.share(part, force, couple)]);
             sums = [sums[0] + Interval::exact(lever) / root, sums[1] + Interval::exact(share)];
@@ -64,17 +64,30 @@ impl TensionCutOff {
 /// `q − EI g''''` of a cell on which the beam lies on the ground, about an origin.
 pub(crate) fn pressure(enclosed: &EnclosedScene<'_>, origin: f64, cell: [f64; 2]) -> Polynomial {
     let fourth = enclosed.gap.about(origin, cell).derivative().derivative().derivative().derivative();
-    Polynomial::new(&enclosed.load.line(origin, cell)).minus(&fourth.times(Interval::exact(enclosed.stiffness)))
+    let stiffness = Interval::exact(enclosed.stiffness_between(cell));
+    Polynomial::new(&enclosed.load.line(origin, cell)).minus(&fourth.times(stiffness))
 }
 
 /// A zone, as pieces: the beam on the foundation all the way between two places, if it can lie there; and what pulls.
 pub(crate) fn zone(enclosed: &EnclosedScene<'_>, ends: [f64; 2], cut_off: &mut TensionCutOff) -> Option<Vec<Piece>> {
     let [from, to] = ends;
     enclosed.gap.is_smooth_between(from, to).then_some(())?;
-    for x in enclosed.load.breaks(from, to) {
-        cut_off.force(x, enclosed.load.point(x));
-        // The moment of a beam that follows the ground does not jump.
-        cut_off.couple(x, enclosed.load.couple(x), [false; 2]);
+    for x in enclosed.breaks(from, to) {
+        let (mut force, mut couple) = (enclosed.load.point(x), enclosed.load.couple(x));
+        if enclosed.changes.contains(&x) {
+            let [before, behind] = [true, false].map(|left| {
+                let (jet, stiffness) = (enclosed.gap.jet(x, left), enclosed.stiffness_beside(x, left));
+                [stiffness * jet[2], stiffness * jet[3]]
+            });
+            (couple, force) = (couple + (before[0] - behind[0]), force + (before[1] - behind[1]));
+        }
+        cut_off.force(x, force);
+        // The moment of a beam that follows the ground does not jump, nor does that turn in a joint.
+        cut_off.couple(x, couple, [false; 2]);
+        if enclosed.joints.iter().any(|joint| joint.0.total_cmp(&x).is_eq()) && !enclosed.gap.jet(x, true)[2].is_zero()
+        {
+            return None;
+        }
     }
     let piece = |[from, to]: [f64; 2]| {
         let (cell, width) = ([from, to], Interval::length(from, to));

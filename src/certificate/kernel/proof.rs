@@ -64,12 +64,16 @@ pub(crate) struct Pair {
     pub(crate) lifted: f64,
     /// `½∫ k (v̂ − g)₊²` of ground that gives; [`None`] on rigid ground.
     pub(crate) ground: Option<Interval>,
+    /// `½Σ k [v̂']²` of joints.
+    pub(crate) turned: Interval,
+    /// [`EnclosedScene::soft`].
+    pub(crate) soft: f64,
 }
 
 /// The pair of some nodes, if there is one.
 pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Option<Pair> {
     is_complete(enclosed, nodes).then_some(())?;
-    let stiffness = Interval::exact(enclosed.stiffness);
+    let (stiffest, mut turned) = (Interval::exact(enclosed.stiffest), Interval::ZERO);
     // Part i is that to the left of node i.
     let ends = |i: usize| [i.checked_sub(1).map(|i| &nodes[i]), nodes.get(i)];
     let spans: Vec<Option<Span>> = (0..=nodes.len()).map(|i| enclosed.span(ends(i)[0], ends(i)[1])).collect();
@@ -83,7 +87,8 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
         let Some(span) = span else {
             let [Some(left), Some(right)] = ends(i) else { continue };
             pieces.extend(pressing::zone(enclosed, [left.x, right.x], &mut cut_off)?);
-            shears[i] = [(left, false), (right, true)].map(|(j, left)| -(stiffness * enclosed.gap.jet(j.x, left)[3]));
+            shears[i] = [(left, false), (right, true)]
+                .map(|(j, left)| -(enclosed.stiffness_beside(j.x, left) * enclosed.gap.jet(j.x, left)[3]));
             continue;
         };
         let length = Interval::length(span.from, span.to);
@@ -92,11 +97,15 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
         let beside = |i: usize, side: usize, end| moments.get(i).map_or(end, |node| node.0[side]);
         let moments = [beside(i.wrapping_sub(1), 1, first), beside(i, 0, last)];
         shears[i] = span.shears(moments);
-        gap = gap + span.misfit(stiffness, moments) / (number(12) * stiffness);
+        gap = gap + span.work(enclosed, moments);
+        for (x, kink) in span.kinks() {
+            let k = enclosed.joints.iter().find(|joint| joint.0.total_cmp(x).is_eq()).map_or(0.0, |joint| joint.1);
+            turned = turned + kink.square() * Interval::exact(0.5 * k);
+        }
         let parts = span.curves(enclosed, Vec::new());
         let lift = clearance::lift(enclosed, span, &parts, ends(i))?;
         let bent = lift.derivative().derivative();
-        lifts = lifts + bent.integral_of_product(&bent, length).not_negative() * stiffness;
+        lifts = lifts + bent.integral_of_product(&bent, length).not_negative() * stiffest;
         lifted = lifted.max(lift.range(length).magnitude());
         pieces.extend(parts.into_iter().map(|([from, to], [v, _])| {
             let v = v.minus(&lift.shifted(Interval::length(span.from, from)));
@@ -124,7 +133,8 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
     let (gap, share, lines) = held_by(enclosed, turns_about, carriers, &pieces, &cut_off, gap_of)?;
     let corrected = Interval::around_zero(share.hi());
     let carried = nodes.iter().zip(forces).map(|(node, force)| (node.x, force + corrected)).collect();
-    Some(Pair { pieces, gap, carried, lines, zones: Vec::new(), turns_about, lifted, ground: None })
+    let (zones, ground, soft) = (Vec::new(), None, enclosed.soft());
+    Some(Pair { pieces, gap, carried, lines, zones, turns_about, lifted, ground, turned, soft })
 }
 
 /// The gap with what corrections cost: those of `v̂`, and the moments and the share of what is cut off, which is taken from places that
@@ -168,7 +178,7 @@ fn moments(
             None if outside[side] => Interval::ZERO,
             None => enclosed.gap.jet(node.x, side == 0)[2],
         };
-        -(Interval::exact(enclosed.stiffness) * curvature)
+        -(enclosed.stiffness_beside(node.x, side == 0) * curvature)
     });
     let couple = enclosed.load.couple(node.x);
     let held =

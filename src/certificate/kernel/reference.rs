@@ -60,8 +60,9 @@ impl Line {
         self.0.presses.min(self.1.presses)
     }
 
-    /// At least `√(3 EI c(x, x))` for `a ≤ x ≤ b`.
-    pub(crate) fn lever(&self, [a, b]: [f64; 2]) -> f64 {
+    /// At least `√(3 EI c(x, x))` for `a ≤ x ≤ b`; joints, of which `soft` is `3 EI Σ 1/k`, add the squares of the moments there of a force
+    /// of one at `x`.
+    pub(crate) fn lever(&self, [a, b]: [f64; 2], soft: f64) -> f64 {
         let Self(left, right) = self;
         let mut most = 0.0_f64;
         if left.from < b && a < right.to {
@@ -70,7 +71,12 @@ impl Line {
             most = (ends + 0.25 * (b - a) * (b - a)) / (right.to - left.from).sqrt();
         }
         let beyond = |by: f64, from_other: f64| if 0.0 < by { by * from_other.sqrt() } else { 0.0 };
-        most.max(beyond(b - right.from, b - left.from)).max(beyond(left.to - a, right.to - a)) * OUTWARDS
+        let most = most.max(beyond(b - right.from, b - left.from)).max(beyond(left.to - a, right.to - a));
+        if soft <= 0.0 {
+            return most * OUTWARDS;
+        }
+        let moment = (0.25 * (right.to - left.from)).max(self.beyond([a, b]));
+        (most * most + soft * moment * moment).sqrt() * OUTWARDS
     }
 
     /// At least `|1 − t| ε₁ + |t| ε₂` for `a ≤ x ≤ b`; infinite where the two parts are not apart.
@@ -90,8 +96,8 @@ impl Line {
     }
 
     /// A couple of one at a place on a part takes moments `m` with `3 EI ∫ m²/EI dx ≤ L + 3 a`; at least the root of it.
-    pub(crate) fn lever_of_couple(&self, part: [f64; 2]) -> f64 {
-        ((self.1.to - self.0.from) + 3.0 * self.beyond(part)).sqrt() * OUTWARDS
+    pub(crate) fn lever_of_couple(&self, part: [f64; 2], soft: f64) -> f64 {
+        ((self.1.to - self.0.from) + 3.0 * self.beyond(part) + soft).sqrt() * OUTWARDS
     }
 
     /// At least the force at each of the two places that a force and a couple on a part take. One place that holds the beam
@@ -150,7 +156,7 @@ mod tests {
             let line = Line(Datum::at(left), Datum::at(right));
             let of = |place: Datum, off: f64| Datum { uncertainty: off, ..place };
             for x in between([0.0, 10.0]) {
-                reached(line.lever([x; 2]), flexibility(x, [left, right]).sqrt());
+                reached(line.lever([x; 2], 0.0), flexibility(x, [left, right]).sqrt());
                 assert!(line.shift([x; 2]) <= 0.0, "known places do not move");
                 for off in [[0.25, 0.75], [0.0, 0.75], [0.25, 0.0]] {
                     let shift = Line(of(line.0, off[0]), of(line.1, off[1])).shift([x; 2]);
@@ -182,7 +188,7 @@ mod tests {
                 }
             }
             let lever = lever.sqrt();
-            let (of_lever, of_shift) = (line.lever(part), line.shift(part));
+            let (of_lever, of_shift) = (line.lever(part, 0.0), line.shift(part));
             assert!(lever <= of_lever && of_lever <= 1.5 * lever, "{part:?}: {of_lever} for {lever}");
             assert!(shift <= of_shift && of_shift <= 1.4 * shift, "{part:?}: {of_shift} for {shift}");
         }
@@ -194,23 +200,23 @@ mod tests {
         let line = Line(Datum::at(2.0), Datum::at(5.0));
         for (part, beyond) in [([6.5, 7.0], 2.0), ([0.5, 0.75], 1.5)] {
             // 3 ∫m² of a moment of one over the overhang, and from one to zero between the supports.
-            reached(line.lever_of_couple(part), (3.0_f64 * beyond + 3.0).sqrt());
+            reached(line.lever_of_couple(part, 0.0), (3.0_f64 * beyond + 3.0).sqrt());
             // The support beside it carries F (L + a)/L + C/L.
             reached(line.share(part, 0.5, 0.125), (0.5 * (3.0 + beyond) + 0.125) / 3.0);
         }
         // Between them a couple takes (s³ + r³)/L² ≤ L.
-        reached(line.lever_of_couple([2.0, 5.0]), 3.0_f64.sqrt());
+        reached(line.lever_of_couple([2.0, 5.0], 0.0), 3.0_f64.sqrt());
         reached(line.share([3.0, 4.0], 0.5, 0.125), 0.5 + 0.125 / 3.0);
         // Built in, one place carries the force and the couple.
         let built_in = Line(Datum::at(2.0), Datum::at(2.0));
         reached(built_in.share([3.0, 4.0], 0.5, 0.125), 0.5);
-        reached(built_in.lever_of_couple([3.0, 4.0]), 6.0_f64.sqrt());
+        reached(built_in.lever_of_couple([3.0, 4.0], 0.0), 6.0_f64.sqrt());
         let wide = Line(
             Datum { to: 2.0, uncertainty: 0.5, ..Datum::at(1.0) },
             Datum { to: 5.5, uncertainty: 0.5, ..Datum::at(5.0) },
         );
         // The worst places: far apart for a couple, close together for a share.
-        reached(wide.lever_of_couple([6.0, 7.0]), (4.5_f64 + 3.0 * 2.0).sqrt());
+        reached(wide.lever_of_couple([6.0, 7.0], 0.0), (4.5_f64 + 3.0 * 2.0).sqrt());
         reached(wide.share([6.0, 7.0], 0.5, 0.125), 0.5 + (0.5 * 2.0 + 0.125) / 3.0);
     }
 
@@ -230,7 +236,7 @@ mod tests {
             let least =
                 |lines: &[Line], bound: &dyn Fn(&Line) -> f64| lines.iter().map(bound).fold(f64::INFINITY, f64::min);
             let same = |bound: &dyn Fn(&Line) -> f64| least(near(&lines, part), bound) <= least(&lines, bound);
-            assert!(same(&|line| line.lever(part)) && same(&|line| line.lever_of_couple(part)), "{part:?}");
+            assert!(same(&|line| line.lever(part, 0.0)) && same(&|line| line.lever_of_couple(part, 0.0)), "{part:?}");
         }
         assert!(near(&lines, [200.0; 2]).len() < lines.len() / 2);
     }

@@ -13,7 +13,10 @@
 //! A couple is in these integrals what a force is, differentiated by its place.
 //! A load near one of the ends has all its digits in each of these integrals.
 
+use std::rc::Rc;
+
 use super::contact_node::EnclosedScene;
+use super::flexibility::Flexible;
 use super::interval::Interval;
 use super::load::{EnclosedLoad, cells};
 use super::polynomial::{Polynomial, number};
@@ -38,6 +41,9 @@ pub(crate) struct Span {
     pub(crate) end: Jet,
     /// What its load presses with on its ends if the beam is cut there.
     pub(crate) loaded: [Interval; 2],
+    /// Where the beam changes on it: how flexible it is, and by how much its slope jumps in joints.
+    pub(super) flexible: Option<Rc<Flexible>>,
+    pub(super) kinks: Vec<(f64, Interval)>,
 }
 
 /// `∫ b q`, `∫ a q`, `∫ a b² q` and `∫ a² b q` of what stands between two places, at the distances `a` and `b` from them.
@@ -69,9 +75,9 @@ fn integrals(load: &EnclosedLoad, [from, to]: [f64; 2]) -> [Interval; 4] {
 
 /// Deflection on neighbouring cells, each about the end that comes first, starting with `jet` there: from left to right, or all the
 /// other way.
-fn march(enclosed: &EnclosedScene<'_>, mut jet: Jet, cells: &[[f64; 2]]) -> Vec<Polynomial> {
-    let stiffness = Interval::exact(enclosed.stiffness);
+fn march(enclosed: &EnclosedScene<'_>, mut jet: Jet, cells: &[[f64; 2]], kinks: &[(f64, Interval)]) -> Vec<Polynomial> {
     let march = |&[near, far]: &[f64; 2]| {
+        let stiffness = Interval::exact(enclosed.stiffness_between([near.min(far), near.max(far)]));
         let [q, rise] = enclosed.load.line(near, [near.min(far), near.max(far)]).map(|q| q / stiffness);
         let [v, slope, curvature, third] = jet;
         let deflection =
@@ -83,6 +89,13 @@ fn march(enclosed: &EnclosedScene<'_>, mut jet: Jet, cells: &[[f64; 2]]) -> Vec<
         });
         let c = there.coefficients();
         jet = [c[0], c[1], c[2] * number(2) - couple, c[3] * number(6) + force];
+        if enclosed.changes.contains(&far) {
+            let ratio = stiffness / enclosed.stiffness_beside(far, far < near);
+            jet = [jet[0], jet[1], jet[2] * ratio, jet[3] * ratio];
+        }
+        let kink =
+            kinks.iter().filter(|(x, _)| x.total_cmp(&far).is_eq()).fold(Interval::ZERO, |sum, kink| sum + kink.1);
+        jet[1] = if near < far { jet[1] + kink } else { jet[1] - kink };
         deflection
     };
     cells.iter().map(march).collect()
@@ -92,7 +105,10 @@ impl Span {
     /// The beam between two places with deflection and slope `[v, v']` at both, or at the one that is not free; `rise` is
     /// `v₁ − v₀ − θ₀ L` if that is known in another way, too.
     pub(crate) fn new(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2], ends: Ends, rise: Option<Interval>) -> Self {
-        let (stiffness, length) = (Interval::exact(enclosed.stiffness), Interval::length(from, to));
+        if let Some(flexible) = Flexible::of(enclosed, [from, to]) {
+            return Self::flexible(enclosed, [from, to], ends, rise, flexible);
+        }
+        let (stiffness, length) = (Interval::exact(enclosed.stiffness_between([from, to])), Interval::length(from, to));
         let [b, a, ab2, a2b] = integrals(enclosed.load, [from, to]);
         let fixed = [ab2, a2b].map(|turned| turned / (length * length) / stiffness);
         // From a node to the free end of an overhang, to the left with a negative length.
@@ -126,7 +142,69 @@ impl Span {
         let third = (bent[1] - bent[0]) / length;
         let start = [left[0], left[1], bent[0], third - loaded[0] / stiffness];
         let end = [right[0], right[1], bent[1], third + loaded[1] / stiffness];
-        Self { from, to, start, end, loaded }
+        Self { from, to, start, end, loaded, flexible: None, kinks: Vec::new() }
+    }
+
+    /// The same of one on which the beam changes.
+    fn flexible(
+        enclosed: &EnclosedScene<'_>,
+        [from, to]: [f64; 2],
+        ends: Ends,
+        rise: Option<Interval>,
+        flexible: Flexible,
+    ) -> Self {
+        let (load, length) = (enclosed.load, Interval::length(from, to));
+        let [b, a, ..] = integrals(load, [from, to]);
+        let loaded = [b, a].map(|arms| arms / length);
+        // At a free end the moments of what acts there, and at the other one those of all that acts beyond it.
+        let tips = [(from, -number(1)), (to, number(1))]
+            .map(|(tip, sign)| (load.point(tip) * length, load.couple(tip) * sign));
+        let moments = match ends {
+            [Some(left), Some(right)] => {
+                let straight = right[0] - left[0] - left[1] * length;
+                let chord = rise.map_or(straight, |rise| rise.meet(straight)) / length;
+                flexible.moments([-chord, right[1] - left[1] - chord])
+            }
+            [_, None] => [-(a + tips[1].0 + tips[1].1), -tips[1].1],
+            [None, _] => [-tips[0].1, -(b + tips[0].0 + tips[0].1)],
+        };
+        let kinks = flexible.kinks(moments);
+        let turns = flexible.turns(moments);
+        // Both ends from the one that is known, and slopes that the load makes from the straight line.
+        let [left, right] = match ends {
+            [Some(left), Some(right)] => [left, right],
+            [Some(left), None] => {
+                let chord = left[1] - turns[0];
+                [left, [left[0] + chord * length, chord + turns[1]]]
+            }
+            [None, right] => {
+                let right = right.unwrap_or([Interval::ZERO; 2]);
+                let chord = right[1] - turns[1];
+                [[right[0] - chord * length, chord + turns[0]], right]
+            }
+        };
+        let (near, far) = (enclosed.stiffness_beside(from, false), enclosed.stiffness_beside(to, true));
+        let shear = (moments[1] - moments[0]) / length;
+        let start = [left[0], left[1], -(moments[0] / near), -((shear + loaded[0]) / near)];
+        let end = [right[0], right[1], -(moments[1] / far), -((shear - loaded[1]) / far)];
+        // A joint at its right end is a part of it.
+        let at_end =
+            kinks.iter().filter(|(x, _)| x.total_cmp(&to).is_eq()).fold(Interval::ZERO, |sum, kink| sum + kink.1);
+        let end = [end[0], end[1] - at_end, end[2], end[3]];
+        Self { from, to, start, end, loaded, flexible: Some(Rc::new(flexible)), kinks }
+    }
+
+    /// How minus the moments at both ends answer to the slopes there, in the unit of moments, by its middle: `[end][slope]`.
+    pub(crate) fn answer(&self, enclosed: &EnclosedScene<'_>) -> [[f64; 2]; 2] {
+        let stiffness = enclosed.stiffness_between([self.from, self.to]) / enclosed.unit();
+        let stiff = 2.0 * stiffness / (self.to - self.from);
+        let closed = [[-2.0 * stiff, -stiff], [stiff, 2.0 * stiff]];
+        self.flexible.as_ref().map_or(closed, |of| of.answer().map(|row| row.map(|value| -value.middle())))
+    }
+
+    /// By how much its slope jumps in joints, with the place of each.
+    pub(crate) fn kinks(&self) -> &[(f64, Interval)] {
+        &self.kinks
     }
 
     /// `V` at its two ends from the moments there: not from the third derivative, of which rounding is larger by the square of a
@@ -134,6 +212,16 @@ impl Span {
     pub(crate) fn shears(&self, moments: [Interval; 2]) -> [Interval; 2] {
         let shear = (moments[1] - moments[0]) / Interval::length(self.from, self.to);
         [shear + self.loaded[0], shear - self.loaded[1]]
+    }
+
+    /// At least `½∫ (EI v'' + M)²/EI dx`, and the same of joints, from the moments at its two ends.
+    pub(crate) fn work(&self, enclosed: &EnclosedScene<'_>, moments: [Interval; 2]) -> Interval {
+        let Some(flexible) = &self.flexible else {
+            let stiffness = Interval::exact(enclosed.stiffness_between([self.from, self.to]));
+            return self.misfit(stiffness, moments) / (number(12) * stiffness);
+        };
+        let [near, far] = [enclosed.stiffness_beside(self.from, false), enclosed.stiffness_beside(self.to, true)];
+        flexible.work([near * self.start[2] + moments[0], far * self.end[2] + moments[1]])
     }
 
     /// `6 ∫ (EI v'' + M)² dx` from the moments at its two ends: `EI v'' + M` is linear, also over a couple.
@@ -145,11 +233,11 @@ impl Span {
     /// Its deflection by parts without a break of the load, each known from both of its ends: `v(from + s)` and `v(to + s)`;
     /// `breaks` besides those of the load. Without those of the foundation rounding does not grow there.
     pub(crate) fn curves(&self, enclosed: &EnclosedScene<'_>, mut breaks: Vec<f64>) -> Vec<Curve> {
-        breaks.extend(enclosed.load.breaks(self.from, self.to));
+        breaks.extend(enclosed.breaks(self.from, self.to));
         let parts = cells(self.from, self.to, breaks);
-        let forwards = march(enclosed, self.start, &parts);
+        let forwards = march(enclosed, self.start, &parts, &self.kinks);
         let from_the_end: Vec<[f64; 2]> = parts.iter().rev().map(|[from, to]| [*to, *from]).collect();
-        let backwards = march(enclosed, self.end, &from_the_end);
+        let backwards = march(enclosed, self.end, &from_the_end, &self.kinks);
         let both = |((part, start), end): (([f64; 2], Polynomial), Polynomial)| {
             let width = Interval::length(part[0], part[1]);
             let [there, here] = [start.shifted(width), end.shifted(-width)];

@@ -279,7 +279,7 @@ impl OnSprings<'_> {
         let mut places: Vec<Datum> = pressing.chain(enclosed.supports.iter().map(|s| Datum::at(s.x))).collect();
         let fixed = enclosed.supports.iter().filter(|s| s.slope.is_some()).map(|s| s.x);
         let lines = lines(enclosed, fixed, &mut places);
-        let [moment, share] = sums.cut_off.carried(&lines, enclosed.stiffness);
+        let [moment, share] = sums.cut_off.carried(&lines, enclosed.stiffness, enclosed.soft());
         let carrier = |at: &Datum| sums.carriers.iter().find(|c| at.presses.is_finite() && at.from <= c.place.from);
         let cost = |place: &Datum| carrier(place).map_or(Interval::ZERO, |carrier| share * carrier.cost);
         let changed = lines.iter().fold(Interval::ZERO, |sum, Line(a, b)| sum + cost(a) + cost(b));
@@ -322,7 +322,8 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, ground: f64, stretches: &[Stret
     let carried = nodes.iter().map(|node| (on.x(*node), force(node) + Interval::around_zero(share.hi()))).collect();
     let zones = on.held_by_groups(&sums.carriers, gap);
     let (pieces, ground) = (sums.pieces, Some(sums.energy / number(2)));
-    Some(Pair { pieces, gap, carried, lines, zones, turns_about: None, lifted: 0.0, ground })
+    let (turned, soft) = (Interval::ZERO, enclosed.soft());
+    Some(Pair { pieces, gap, carried, lines, zones, turns_about: None, lifted: 0.0, ground, turned, soft })
 }
 
 #[cfg(test)]

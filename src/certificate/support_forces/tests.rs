@@ -32,6 +32,8 @@ fn pair_on_two_ends(pieces: Vec<Piece>, gap: f64) -> Pair {
         turns_about: None,
         lifted: 0.0,
         ground: None,
+        turned: Interval::ZERO,
+        soft: 0.0,
     }
 }
 
@@ -123,6 +125,8 @@ fn only_rigid_ground_that_bends_away_is_clear_whatever_the_pair() {
         turns_about: None,
         lifted: 0.0,
         ground,
+        turned: Interval::ZERO,
+        soft: 0.0,
     };
     in_intervals(&scene, Balance::Held, |enclosed| {
         assert!(HELD < clear_from(enclosed, &pair(None), HELD, LENGTH));
@@ -248,6 +252,8 @@ fn a_support_that_only_pushes_may_carry_a_part_of_a_load_in_balance() {
             turns_about: None,
             lifted: 0.0,
             ground: None,
+            turned: Interval::ZERO,
+            soft: 0.0,
         };
         in_intervals(&scene, Balance::Held, |enclosed| {
             assert_eq!(carries_all(enclosed, &pair, MIDDLE), carries, "{level}");

@@ -5,7 +5,7 @@ use toml::de::DeTable;
 use super::Problem;
 use super::columns::Named;
 use super::table::{Error, Keys, Value};
-use crate::scene::{CoupleLoad, Foundation, LinearLoad, PointLoad, Profile, Support, Units};
+use crate::scene::{CoupleLoad, Foundation, Joint, LinearLoad, PointLoad, Profile, Support, Units};
 
 /// All of it.
 pub(super) struct Contents {
@@ -43,19 +43,57 @@ pub(super) fn units(file: &Keys<'_>) -> Result<Units, Error> {
 #[derive(Debug)]
 pub(super) struct BeamKeys {
     pub(super) length: f64,
-    pub(super) bending_stiffness: f64,
+    pub(super) bending_stiffness: Stiffness,
+    pub(super) joints: Vec<Joint>,
     pub(super) shape: Option<Given>,
     pub(super) supports: Option<Vec<Support>>,
 }
 
 fn beam(file: &Keys<'_>) -> Result<BeamKeys, Error> {
-    let beam = file.required_table("beam", &["length", "bending_stiffness", "shape", "supports"])?;
+    let beam = file.required_table("beam", &["length", "bending_stiffness", "shape", "supports", "joints"])?;
     Ok(BeamKeys {
         length: beam.required_number("length")?,
-        bending_stiffness: beam.required_number("bending_stiffness")?,
+        bending_stiffness: stiffness(&beam.required(
+            "bending_stiffness",
+            "a number",
+            beam.get("bending_stiffness"),
+        )?)?,
+        joints: beam.elements("joints")?.iter().map(joint).collect::<Result<_, _>>()?,
         shape: profile(&beam, "shape", Profile::Shape, KINDS)?,
         supports: beam.get("supports").map(|value| supports(&value)).transpose()?,
     })
+}
+
+/// A bending stiffness.
+#[derive(Debug)]
+pub(super) enum Stiffness {
+    /// From end to end.
+    One(f64),
+    /// From each place on.
+    Steps(Vec<[f64; 2]>),
+}
+
+fn stiffness(value: &Value<'_>) -> Result<Stiffness, Error> {
+    if !value.is_table() {
+        // A bare list of pairs could be steps, or points of a line, as elsewhere.
+        return value
+            .number_or("a number, or steps { steps = [[x, stiffness], …] }, each from its x on")
+            .map(Stiffness::One);
+    }
+    let keys = value.table(&["steps"])?;
+    let steps = keys.required("steps", "an array of steps [x, stiffness]", keys.get("steps"))?;
+    const STEP: &str = "a step [x, stiffness]";
+    let step = |value: &Value<'_>| match &value.elements(STEP)?[..] {
+        [x, stiffness] => Ok([x.number()?, stiffness.number()?]),
+        _ => Err(value.wrong_type(STEP)),
+    };
+    let steps = steps.elements("an array of steps [x, stiffness]")?;
+    Ok(Stiffness::Steps(steps.iter().map(step).collect::<Result<_, _>>()?))
+}
+
+fn joint(value: &Value<'_>) -> Result<Joint, Error> {
+    let keys = value.table(&["at", "stiffness"])?;
+    Ok(Joint { at: keys.required_number("at")?, stiffness: keys.number("stiffness")? })
 }
 
 fn supports(value: &Value<'_>) -> Result<Vec<Support>, Error> {

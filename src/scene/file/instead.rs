@@ -41,7 +41,7 @@ const INSTEAD: &[Instead] = &[
     Instead { table: "beam", keys: &["l", "span"], write: &[("length", "write the length as `length`")] },
     Instead {
         table: "beam",
-        keys: &["hinge", "hinges", "joint", "joints", "releases"],
+        keys: &["hinge", "hinges", "joint", "releases"],
         write: &[
             ("joints", "write hinges as `joints = [{ at = … }]`"),
             ("", "hinges inside a beam are not supported yet"),

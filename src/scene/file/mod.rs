@@ -29,7 +29,7 @@ pub use forces::parse_forces;
 pub use problem::{Found, Problem, ReadProblem};
 pub use survey_problem::{Declaration, SurveyProblem};
 
-use self::contents::{BeamKeys, Given, LoadKeys};
+use self::contents::{BeamKeys, Given, LoadKeys, Stiffness};
 use self::locate::Located;
 use self::survey::Survey;
 use self::table::Span;
@@ -134,13 +134,17 @@ fn assemble(
     foundation: Option<Foundation>,
     stiffness: Option<f64>,
 ) -> Result<Scene, SceneError> {
-    let mut beam = Beam::new(keys.length, keys.bending_stiffness)?;
+    let mut beam = match keys.bending_stiffness {
+        Stiffness::One(stiffness) => Beam::new(keys.length, stiffness)?,
+        Stiffness::Steps(steps) => Beam::new(keys.length, 1.0)?.with_steps(steps)?,
+    };
     if let Some(supports) = keys.supports {
         beam = beam.with_supports(supports)?;
     }
     if let Some(shape) = shape {
         beam = beam.with_shape(shape)?;
     }
+    let beam = beam.with_joints(keys.joints)?;
     let load = Load::new(&beam, load.uniform, load.linear, load.point)?.with_couples(&beam, load.couple)?;
     let scene = Scene::above(beam, load, foundation, stiffness)?;
     scene.scaled()?;

@@ -5,7 +5,7 @@ use std::fmt;
 use super::instead::instead;
 use super::survey_problem::{MARKS, SurveyProblem};
 use crate::body::BodyProblem;
-use crate::scene::error::against;
+use crate::scene::written::against;
 use crate::scene::{Profile, SceneError};
 
 /// Why a file could not be read as text: the error of the function that the caller passes for reading.

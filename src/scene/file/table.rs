@@ -64,7 +64,7 @@ impl<'a> Keys<'a> {
         Some(Value { path, value })
     }
 
-    fn required<T>(&self, key: &str, expected: &'static str, value: Option<T>) -> Result<T, Error> {
+    pub(super) fn required<T>(&self, key: &str, expected: &'static str, value: Option<T>) -> Result<T, Error> {
         value.ok_or_else(|| Error {
             span: self.span(),
             problem: Problem::MissingKey { key: key.to_owned(), table: self.path.clone(), expected },
@@ -118,7 +118,12 @@ impl<'a> Value<'a> {
 
     /// A number, written as an integer or with a decimal point; `nan` and `inf` pass, the scene refuses them.
     pub(super) fn number(&self) -> Result<f64, Error> {
-        let not_a_number = || self.wrong_type("a number");
+        self.number_or("a number")
+    }
+
+    /// The same where something else could be as well.
+    pub(super) fn number_or(&self, expected: &'static str) -> Result<f64, Error> {
+        let not_a_number = || self.wrong_type(expected);
         let number = match self.value.get_ref() {
             DeValue::Float(float) => {
                 let number: f64 = float.as_str().parse().map_err(|_| not_a_number())?;

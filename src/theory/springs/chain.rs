@@ -223,7 +223,8 @@ impl<'a> Beam<'a> {
             })
         });
         let [a, b] = [0, 1].map(|side| link.end(side, at[side][0], beam[side][0]));
-        Span { a, b, at_a: at[0], at_b: at[1], beam_a: beam[0], beam_b: beam[1] }
+        let stiffness = self.given.cells[link.cells[0]].stiffness;
+        Span { a, b, at_a: at[0], at_b: at[1], beam_a: beam[0], beam_b: beam[1], stiffness, answer: None }
     }
 
     /// The first or the last link, of which an end is free, from what the beam is on the other side of where it is held.

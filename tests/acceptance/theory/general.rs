@@ -1,4 +1,4 @@
-//! The general beam: couples. Scenes are files, as a user writes them; numbers of 16 digits come from a 40-digit computation by an
+//! The general beam: couples, and bending stiffness in steps. Scenes are files, as a user writes them; numbers of 16 digits come from a 40-digit computation by an
 //! engine that shares no code with this one, checked there by finite elements.
 
 use palkki::scene::Scene;
@@ -175,5 +175,224 @@ fn couples_on_grids() {
         };
         let [coarse, fine] = [off(20), off(320)];
         assert!(fine < 0.1 * coarse && fine < 2e-3 * exact.abs(), "{method:?}: {coarse:e} and {fine:e} of {exact}");
+    }
+}
+
+/// Scenes with a stiffness in steps, and numbers of 16 digits from another engine: two stiffnesses on flat ground, a ski, a pipe with a
+/// thick piece over a sleeper, a step on a wave.
+#[test]
+fn steps_of_the_bending_stiffness() {
+    let flat = "[beam]\nlength = 10.0\nbending_stiffness = { steps = [[0, 1.3020833333333333], [5, 5.208333333333333]] }\n\n[load]\n\
+                uniform = 1.0\n\n[foundation]\ndepth = 1.0\n";
+    let ski = "[beam]\nlength = 1.8\n\
+               bending_stiffness = { steps = [[0, 60.0], [0.4, 150.0], [0.7, 300.0], [1.1, 150.0], [1.4, 60.0]] }\n\
+               shape = { polynomial = [0.0, -0.03333333333333333, 0.018518518518518517] }\nsupports = []\n\n[load]\n\
+               linear = [{ from = 0.75, to = 1.05, start = 1000.0, end = 1000.0 }]\n\n[foundation]\ndepth = 0.0\n";
+    let pipe = "[beam]\nlength = 100.0\nbending_stiffness = { steps = [[0, 8000.0], [46, 14000.0], [54, 8000.0]] }\nsupports = []\n\n\
+                [load]\nuniform = 0.5\n\n[foundation]\n\
+                points = [[0.0, 0.8], [49.0, 0.8], [49.0, 0.0], [51.0, 0.0], [51.0, 0.8], [100.0, 0.8]]\n";
+    let wave = "[beam]\nlength = 12.0\nbending_stiffness = { steps = [[0, 40.0], [4.1, 60.0]] }\n\n[load]\nuniform = 2.0\n\
+                linear = [{ from = 6.0, to = 12.0, start = 0.0, end = 3.0 }]\n\n[foundation]\n\
+                cosine = { mean = 0.5, amplitude = 0.15, wavelength = 4.0 }\n";
+    // From, to and force of contacts, largest and least moment, energy.
+    let cases: [(&str, &[[f64; 3]], [f64; 3]); 4] = [
+        (
+            flat,
+            &[[2.364_354_022_507_939_6, 6.656_298_475_117_889_5, 7.145_972_226_304_975]],
+            [1.397_542_485_937_368_6, 0.0, -7.716_777_781_043_98],
+        ),
+        (
+            ski,
+            &[
+                [0.0, 0.0, 9.158_898_288_244_36],
+                [0.363_944_792_094_889_5, 0.363_944_792_094_889_5, 1.166_304_664_040_281_9],
+                [0.676_386_234_133_333_7, 0.676_386_234_133_333_7, 41.728_798_215_494_535],
+                [0.837_689_491_767_721_6, 0.962_310_508_232_278_5, 195.891_997_664_441_7],
+            ],
+            [11.746_055_206_260_401, 0.0, f64::NAN],
+        ),
+        (
+            pipe,
+            &[[0.0, 17.653_385_524_920_79, 13.967_455_580_375_507], [49.0, 49.0, 11.032_544_419_624_493]],
+            [26.427_442_350_058_527, -84.507_049_601_304_5, -25.721_362_261_796_337],
+        ),
+        (
+            wave,
+            &[
+                [2.254_860_153_354_908_6, 2.254_860_153_354_908_6, 2.786_578_287_300_370_6],
+                [6.027_683_425_442_477, 6.027_683_425_442_477, 13.087_720_605_018_548],
+                [9.738_981_523_344_58, 9.738_981_523_344_58, 7.493_392_537_594_403],
+            ],
+            [4.414_199_917_257_202, -5.859_181_261_383_195, -9.287_179_930_948_229],
+        ),
+    ];
+    for (text, contacts, [most, least, energy]) in cases {
+        let state = certified(text);
+        for (found, [from, to, force]) in state.contacts.iter().zip(contacts) {
+            for (what, found, expected) in
+                [("from", found.from, *from), ("to", found.to, *to), ("force", found.force, *force)]
+            {
+                check(what, found, expected);
+            }
+        }
+        check("largest moment", state.moment.max, most);
+        assert!(
+            (state.moment.min - least).abs() <= DIGITS * most.max(least.abs()),
+            "least moment {}",
+            state.moment.min
+        );
+        if energy.is_finite() {
+            check("energy", state.energy, energy);
+        }
+    }
+}
+
+/// `P l³/3 EI` by parts, and what is nothing: a step of no height changes no number, nor does any scale of forces.
+#[test]
+fn a_cantilever_in_steps_and_steps_of_no_height() {
+    let wall = "supports = [{ at = 0.0, built_in = true }]\n[load]\npoint = [{ at = 2.0, force = 3.0 }]\n";
+    let two =
+        certified(&format!("[beam]\nlength = 2.0\nbending_stiffness = {{ steps = [[0, 2.0], [1, 1.0]] }}\n{wall}"));
+    check("tip", two.deflection.max, 3.0 * (7.0 / 3.0 / 2.0 + 1.0 / 3.0));
+    for ground in [
+        "depth = 0.3",
+        "polynomial = [0.8, -0.08, 0.008]",
+        "cosine = { mean = 0.6, amplitude = 0.2, wavelength = 5.0 }",
+    ] {
+        let of = |stiffness: &str, times: f64| {
+            certified(&format!(
+                "[beam]\nlength = 10.0\nbending_stiffness = {stiffness}\n[load]\nuniform = {:?}\n[foundation]\n{ground}\n",
+                times
+            ))
+        };
+        let (one, same) = (of("4.0", 1.0), of("{ steps = [[0, 4.0], [3, 4.0]] }", 1.0));
+        assert_eq!(one, same, "on {ground}");
+        let (stepped, tenfold) =
+            (of("{ steps = [[0, 4.0], [3, 6.0]] }", 1.0), of("{ steps = [[0, 40.0], [3, 60.0]] }", 10.0));
+        check("ten times all", tenfold.energy, 10.0 * stepped.energy);
+        check("ten times all", tenfold.deflection.max, stepped.deflection.max);
+    }
+}
+
+/// On curved ground a change of the stiffness by `ΔEI` is a couple `ΔEI g''` of the clearance: it opens the gap of such a couple, whose
+/// parts are those of `√(2√3 ΔEI g''/p)` as the change gets smaller.
+#[test]
+fn a_change_of_the_stiffness_on_curved_ground_opens_a_gap() {
+    let root = 3.0_f64.sqrt();
+    let mut last = f64::INFINITY;
+    for change in [1e-2, 1e-3, 1e-4, 1e-5_f64] {
+        let text = format!(
+            "[beam]\nlength = 10.0\nbending_stiffness = {{ steps = [[0, 4.0], [5, {:?}]] }}\nsupports = []\n[load]\nuniform = 1.0\n\
+             [foundation]\npolynomial = [0.8, -0.08, 0.008]\n",
+            4.0 + change
+        );
+        let state = certified(&text);
+        let at = state.contacts.iter().position(|zone| zone.to < 5.0 && 4.0 < zone.to).expect("a zone up to the gap");
+        let (left, right) = (5.0 - state.contacts[at].to, state.contacts[at + 1].from - 5.0);
+        let length = (2.0 * root * change * 0.016).sqrt();
+        let off =
+            (left / ((3.0 + root) / 6.0 * length) - 1.0).abs().max((right / ((3.0 - root) / 6.0 * length) - 1.0).abs());
+        assert!(off < 0.5 * last && off < 2.0 * change, "{off:e} for a change of {change}");
+        last = off;
+    }
+}
+
+/// A joint of stiffness `k` in the middle of a beam on two supports turns by `M/k`: `P l³/48 EI + P l²/16 k` under the force above it. One
+/// of 10¹² of the beam changes nothing, and one where there is no moment neither.
+#[test]
+fn a_joint_turns_by_its_moment() {
+    let of = |joint: &str| {
+        certified(&format!(
+            "[beam]\nlength = 4.0\nbending_stiffness = 2.0\n{joint}[load]\npoint = [{{ at = 2.0, force = 3.0 }}]\n"
+        ))
+    };
+    let free = of("");
+    for stiffness in [0.5, 3.0, 1e3_f64] {
+        let jointed = of(&format!("joints = [{{ at = 2.0, stiffness = {stiffness:?} }}]\n"));
+        check("deflection", jointed.deflection.max, 3.0 * 64.0 / 96.0 + 3.0 * 16.0 / (16.0 * stiffness));
+        check("energy", jointed.energy, -0.5 * 3.0 * jointed.deflection.max);
+    }
+    let rigid = of("joints = [{ at = 1.0, stiffness = 2e12 }]\n");
+    check("a rigid joint", rigid.deflection.max, free.deflection.max);
+    let flat = "[load]\nuniform = 1.0\n[foundation]\ndepth = 0.4\n";
+    let in_contact = |joint: &str| certified(&format!("[beam]\nlength = 10.0\nbending_stiffness = 1.3\n{joint}{flat}"));
+    let (with, without) = (in_contact("joints = [{ at = 5.0, stiffness = 0.1 }]\n"), in_contact(""));
+    check("energy", with.energy, without.energy);
+    check("lift-off", with.contacts[0].from, without.contacts[0].from);
+}
+
+/// A Gerber beam: statics give its forces. Of a beam with a hinge no bound is proven yet, which the verdict says.
+#[test]
+fn a_hinge_has_no_moment() {
+    let text = "[beam]\nlength = 10.0\nbending_stiffness = 2.0\njoints = [{ at = 6.0 }]\n\
+                supports = [{ at = 0.0 }, { at = 4.0 }, { at = 10.0 }]\n[load]\nuniform = 1.0\n";
+    let exact = super::solved(&scene(text));
+    let forces: Vec<f64> = exact.state.supports.iter().map(|support| support.force).collect();
+    // The part beyond the hinge is a simple beam of 4, and its reaction hangs on the other one.
+    for (found, expected) in forces.iter().zip([0.5, 7.5, 2.0]) {
+        check("reaction", *found, expected);
+    }
+    check("least moment", exact.state.moment.min, -6.0);
+    assert!(exact.moment(6.0).abs() < 1e-14, "{:e}", exact.moment(6.0));
+    let solution = palkki::solve_exactly(&scene(text)).expect("an answer");
+    assert_eq!(solution.verdict.status, Status::NotCertified);
+    assert!(solution.verdict.to_string().contains("hinge"), "{}", solution.verdict);
+}
+
+/// What a bending stiffness in steps, a joint and a couple may not be, with words of the message.
+#[test]
+fn what_is_no_general_beam_is_refused() {
+    let wall = "supports = [{ at = 0.0 }, { at = 4.0, built_in = true }]\n";
+    for (beam, load, words) in [
+        ("bending_stiffness = [[0, 1.3], [4, 2.6]]\n", "", &["bending_stiffness", "steps"][..]),
+        ("bending_stiffness = { steps = [[1, 1.3], [4, 2.6]] }\n", "", &["steps[0][0]", "be 0"]),
+        ("bending_stiffness = { steps = [[0, 1.3], [4, 2.6], [4, 1.0]] }\n", "", &["steps[2]"]),
+        ("bending_stiffness = { steps = [[0, 1.3], [10, 2.6]] }\n", "", &["steps[1][0]", "less than the length"]),
+        ("bending_stiffness = { steps = [] }\n", "", &["steps"]),
+        ("bending_stiffness = { steps = [[0, 1.3], [4, 0.0]] }\n", "", &["positive", "joints"]),
+        ("bending_stiffness = { steps = [[0, 1.3], [4, nan]] }\n", "", &["nan"]),
+        ("bending_stiffness = 1.3\njoints = [{ at = 4.0 }, { at = 4.0 }]\n", "", &["joints[1].at"]),
+        ("bending_stiffness = 1.3\njoints = [{ at = 0.0 }]\n", "", &["joints[0].at", "inside the beam"]),
+        (
+            "bending_stiffness = 1.3\njoints = [{ at = 4.0 }]\n",
+            "couple = [{ at = 4.0, moment = 1.0 }]\n",
+            &["couple[0].at"],
+        ),
+        (&format!("bending_stiffness = 1.3\njoints = [{{ at = 4.0 }}]\n{wall}"), "", &["built_in"]),
+        ("bending_stiffness = 1.3\n", "couple = [{ at = 11.0, moment = 1.0 }]\n", &["couple[0].at"]),
+        ("bending_stiffness = 1.3\n", "couple = [{ at = 1.0, force = 1.0 }]\n", &["force"]),
+        ("bending_stiffness = 1.3\nsupports = [{ at = 5.0 }]\n", "couple = [{ at = 2.0, moment = 1.0 }]\n", &["turn"]),
+        ("bending_stiffness = 1.3\njoints = [{ at = 4.0 }]\n", "uniform = 1.0\n", &["mechanism"]),
+    ] {
+        let text = format!("[beam]\nlength = 10.0\n{beam}[load]\n{load}");
+        let error = parse("scene.toml", &text, |_| Err(ReadProblem::Missing)).err().map(|error| error.to_string());
+        let Some(message) = error else { panic!("{text}") };
+        for word in words {
+            assert!(message.to_lowercase().contains(word), "{word} is not in {message}");
+        }
+    }
+}
+
+/// What cannot compute it yet refuses it, instead of computing another beam.
+#[test]
+fn grids_refuse_steps_and_joints() {
+    use palkki::methods::Method;
+    use palkki::solvers::Solver;
+    use palkki::{Settings, solve};
+    for beam in [
+        "bending_stiffness = { steps = [[0, 1.3], [5, 2.6]] }",
+        "bending_stiffness = 1.3\njoints = [{ at = 5.0, stiffness = 2.0 }]",
+    ] {
+        let scene =
+            scene(&format!("[beam]\nlength = 10.0\n{beam}\n[load]\nuniform = 1.0\n[foundation]\ndepth = 1.0\n"));
+        for method in Method::ALL {
+            let refused =
+                solve(&scene, &Settings::new(method, Solver::ActiveSet, 30)).err().map(|error| error.to_string());
+            assert!(refused.is_some_and(|message| message.contains("cannot compute")), "{method:?}");
+        }
+        let exact = palkki::theory::solve(&scene).expect("an answer");
+        assert!(exact.derivatives(&scene).is_empty());
+        let soft = scene.on_springs(10.0).expect("positive");
+        assert!(palkki::theory::solve(&soft).is_err_and(|error| error.to_string().contains("cannot compute")));
     }
 }

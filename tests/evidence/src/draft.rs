@@ -87,7 +87,16 @@ impl Draft {
     ///
     /// What is wrong with its numbers.
     pub fn scene(&self) -> Result<Scene, SceneError> {
-        Scene::new(self.beam()?, self.load()?, self.ground.clone())
+        self.scene_above(None)
+    }
+
+    /// The scene above a foundation of a stiffness \[force / length²\], rigid without.
+    ///
+    /// # Errors
+    ///
+    /// What is wrong with its numbers.
+    pub fn scene_above(&self, stiffness: Option<f64>) -> Result<Scene, SceneError> {
+        Scene::above(self.beam()?, self.load()?, self.ground.clone(), stiffness)
     }
 
     /// The loads, whatever the beam is held by.

@@ -170,8 +170,15 @@ fn some_spans_cannot_be_lifted() {
 fn the_shape_of_a_lift() {
     /// Of a dozen roundings.
     const ROUNDING: f64 = 1e-14;
-    let span =
-        Span { from: 3.0, to: 10.0, start: [Interval::ZERO; 4], end: [Interval::ZERO; 4], loaded: [Interval::ZERO; 2] };
+    let span = Span {
+        from: 3.0,
+        to: 10.0,
+        start: [Interval::ZERO; 4],
+        end: [Interval::ZERO; 4],
+        loaded: [Interval::ZERO; 2],
+        flexible: None,
+        kinks: Vec::new(),
+    };
     for powers in (0..3).flat_map(|a| (0..3).map(move |b| [a, b])) {
         let shape = shape(&span, powers);
         for s in [0.0, 1.0, 3.5, 6.0, 7.0_f64] {

@@ -31,6 +31,8 @@ fn pair(pieces: Vec<Piece>) -> Pair {
         turns_about: None,
         lifted: 0.0,
         ground: None,
+        turned: Interval::ZERO,
+        soft: 0.0,
     }
 }
 

@@ -74,8 +74,8 @@ fn stops_are_off_by_what_the_other_one_leaves() {
     let [left, at, right] =
         [(1.0, 0.5), (5.0, 0.1), (11.0, 0.25)].map(|(x, off)| Datum { uncertainty: off, ..Datum::at(x) });
     for factor in [0.0, 0.125] {
-        let Line(one, other) = between_stops(Line(left, right), at, factor);
-        let risen = 10.0 * (0.1 + factor * Line(left, right).lever([5.0; 2]));
+        let Line(one, other) = between_stops(Line(left, right), at, factor, 0.0);
+        let risen = 10.0 * (0.1 + factor * Line(left, right).lever([5.0; 2], 0.0));
         for (place, expected) in [(one, (risen + 4.0 * 0.25) / 6.0), (other, (risen + 6.0 * 0.5) / 4.0)] {
             let expected = expected.max(if place.from < 5.0 { 0.5 } else { 0.25 });
             assert!(
@@ -85,7 +85,7 @@ fn stops_are_off_by_what_the_other_one_leaves() {
         }
     }
     // What is open at a stop itself is not less there.
-    let Line(one, _) = between_stops(Line(Datum { uncertainty: 5.0, ..left }, right), at, 0.0);
+    let Line(one, _) = between_stops(Line(Datum { uncertainty: 5.0, ..left }, right), at, 0.0, 0.0);
     assert!(5.0 <= one.uncertainty, "{one:?}");
 }
 
@@ -106,6 +106,8 @@ fn parts_of_zones_hold_with_what_is_apart() {
         turns_about: None,
         lifted: 0.0,
         ground: None,
+        turned: Interval::ZERO,
+        soft: 0.0,
     };
     // Far from the first line there are too many of zones, none of which is known as well.
     let (end, most) = ([LENGTH; 2], factor(GAP, STIFFNESS));

@@ -30,7 +30,7 @@ fn cut_off(
     in_intervals(&scene, Balance::Held, |enclosed| {
         let mut cut_off = TensionCutOff::default();
         change(enclosed, &mut cut_off);
-        cut_off.carried(&[Line(Datum::at(0.0), Datum::at(LENGTH))], STIFFNESS)
+        cut_off.carried(&[Line(Datum::at(0.0), Datum::at(LENGTH))], STIFFNESS, 0.0)
     })
 }
 

@@ -17,7 +17,7 @@ const ROUNDING: f64 = 1e-12;
 fn pair_of(scene: &Scene, nodes: &[ContactNode]) -> Option<(Pair, Interval)> {
     in_intervals(scene, Balance::Held, |enclosed| {
         let pair = pair(enclosed, nodes)?;
-        let energy = energy(&pair.pieces, enclosed.load, STIFFNESS);
+        let energy = energy(&pair.pieces, enclosed);
         Some((pair, energy))
     })
 }

@@ -31,8 +31,7 @@ impl Case {
     ///
     /// What the library refuses of it.
     pub fn scene(&self) -> Result<Scene, SceneError> {
-        let scene = self.draft.scene()?;
-        self.soil.map_or(Ok(scene.clone()), |stiffness| scene.on_springs(stiffness))
+        self.draft.scene_above(self.soil)
     }
 
     /// The scene file.

@@ -1,0 +1,54 @@
+//! A scene in intervals.
+
+use super::kernel::contact_node::{EnclosedScene, EnclosedSupport};
+use super::kernel::foundation::EnclosedFoundation;
+use super::kernel::gap::EnclosedGap;
+use super::standing;
+use crate::scene::{Balance, Foundation, Scaled, Scene, SceneError, Support};
+
+/// The result of `act` on a scene that is made dimensionless and enclosed in intervals.
+pub(super) fn enclosed<R>(scene: &Scene, act: impl FnOnce(&EnclosedScene<'_>, &Scaled) -> R) -> Result<R, SceneError> {
+    let scaled = scene.scaled()?;
+    Ok(in_intervals(&scaled.scene, scaled.balance, |enclosed| act(enclosed, &scaled)))
+}
+
+/// The result of `act` on a scene that is enclosed in intervals as it is.
+pub(super) fn in_intervals<R>(scene: &Scene, balance: Balance, act: impl FnOnce(&EnclosedScene<'_>) -> R) -> R {
+    /// Where there is no foundation it is out of reach.
+    const NONE: Foundation = Foundation::Flat { depth: f64::INFINITY };
+    const STRAIGHT: Foundation = Foundation::Flat { depth: 0.0 };
+    let (stiffness, length) = (scene.beam().bending_stiffness(), scene.beam().length());
+    let given = [scene.foundation(), scene.beam().shape()];
+    let fewer = given.map(|profile| profile.and_then(Foundation::without_collinear_points));
+    let [ground, shape] = [0, 1].map(|k| fewer[k].as_ref().or(given[k]));
+    let profile = |given| EnclosedFoundation { given, length, bearings: &[] };
+    let alone = |bearing: &Support| [f64::INFINITY, bearing.level, f64::INFINITY].map(|depth| [bearing.at, depth]);
+    let bearings: Vec<_> = scene.beam().bearings().iter().flat_map(alone).collect();
+    let ground = EnclosedFoundation { bearings: &bearings, ..profile(ground.unwrap_or(&NONE)) };
+    let gap = EnclosedGap { ground, shape: profile(shape.unwrap_or(&STRAIGHT)) };
+    let (load, supports) = (standing::between(scene), EnclosedSupport::of(scene, &gap));
+    let turns = |about: &f64| !supports.iter().any(|s| s.is_fixed && (s.x - about).abs() <= 0.0);
+    let balanced_at = match balance {
+        Balance::Neutral { about, .. } => Some(about).filter(turns),
+        Balance::Held | Balance::Stands(_) => None,
+    };
+    let beam = scene.beam();
+    let (changes, mut joints): (Vec<f64>, Vec<(f64, f64)>) = (
+        beam.changes().collect(),
+        beam.joints().iter().map(|joint| (joint.at, joint.stiffness.unwrap_or(0.0))).collect(),
+    );
+    joints.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let stiffest = beam.steps().iter().fold(stiffness, |most, step| most.max(step[1]));
+    act(&EnclosedScene {
+        gap,
+        load: &load,
+        supports: &supports,
+        balanced_at,
+        stiffness,
+        stiffest,
+        length,
+        beam,
+        changes: &changes,
+        joints: &joints,
+    })
+}

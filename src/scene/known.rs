@@ -1,0 +1,42 @@
+//! What not everybody can compute yet: who cannot asks first, and refuses.
+
+use super::{Scene, SceneError};
+
+impl Scene {
+    /// Whether the ground of a scene is rigid, or there is none.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::NeedsRigidGround`] if not, naming what asked for it.
+    pub fn on_rigid_ground(&self, what: &'static str) -> Result<(), SceneError> {
+        self.ground_stiffness().map_or(Ok(()), |_| Err(SceneError::NeedsRigidGround { what }))
+    }
+
+    /// Whether the beam has one bending stiffness and no joints.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::NotKnown`] if not, naming what asked for it.
+    pub fn is_uniform(&self, what: &'static str) -> Result<(), SceneError> {
+        let feature = match (self.beam.changes().next(), self.beam.joints()) {
+            (Some(_), _) => "a bending stiffness in steps",
+            (None, [_, ..]) => "joints",
+            (None, []) => return Ok(()),
+        };
+        Err(SceneError::NotKnown { what, feature })
+    }
+
+    /// Whether contact forces at nodes, without the lengths over which they act, determine the position of the beam: not if supports do
+    /// not hold it, on ground that gives way below each force by an amount that depends on that length.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::NeedsRigidGround`] if not.
+    pub fn is_placed_by_forces(&self) -> Result<(), SceneError> {
+        if self.beam.is_held() {
+            Ok(())
+        } else {
+            self.on_rigid_ground("a check of nodal loads and forces that alone hold a beam")
+        }
+    }
+}

@@ -1,0 +1,57 @@
+//! Numbers and places as messages have them.
+
+use crate::text::Results;
+
+/// A number as a message has it: as it is written in the file, or with six digits if it was computed.
+pub(crate) fn shown(value: f64) -> String {
+    /// Nobody writes a number with more digits; a sum or a product of such numbers mostly has more.
+    const WRITTEN: usize = 12;
+    let text = in_full(value);
+    let digits = text.split('e').next().unwrap_or_default().chars().filter(char::is_ascii_digit).count();
+    if digits <= WRITTEN || !value.is_finite() { text } else { Results::default().number(value) }
+}
+
+/// The same of a number that is compared with another one: with all digits where six would make them equal.
+pub(super) fn against(value: f64, other: f64) -> String {
+    let text = shown(value);
+    if text == shown(other) { in_full(value) } else { text }
+}
+
+/// All digits: with a power of ten where a row of zeros would have to be counted.
+pub(super) fn in_full(value: f64) -> String {
+    // No minus before zero.
+    let value = value + 0.0;
+    let size = value.abs();
+    if size == 0.0 || !value.is_finite() || (1e-5..1e16).contains(&size) {
+        value.to_string()
+    } else {
+        format!("{value:e}")
+    }
+}
+
+/// What can carry a beam without supports that hold, with the outermost places of it.
+pub(super) fn carriers(grounded: bool, ends: [f64; 2]) -> String {
+    let [from, to] = ends.map(shown);
+    match (grounded, from == to) {
+        (true, _) => format!("the ground ({from} … {to})"),
+        (false, true) => format!("the only support that pushes ({from})"),
+        (false, false) => format!("the supports that push ({from} … {to})"),
+    }
+}
+
+/// Over what a beam turns whose loads are at a place outside these: its end on ground, and else the outermost support.
+pub(super) fn fulcrum(grounded: bool, ends: [f64; 2], at: f64) -> String {
+    let (side, end) = if at < ends[0] { ("left", ends[0]) } else { ("right", ends[1]) };
+    if grounded { format!("its {side} end") } else { format!("its support at x = {}", shown(end)) }
+}
+
+/// To four significant digits.
+pub(super) fn rounded(value: f64) -> String {
+    shown(format!("{value:.3e}").parse().unwrap_or(value))
+}
+
+/// The same of a place that is not on the beam, with all its digits where four would put it there.
+pub(super) fn beside(at: f64, [from, to]: [f64; 2]) -> String {
+    let rounded: f64 = format!("{at:.3e}").parse().unwrap_or(at);
+    if (from..=to).contains(&rounded) { in_full(at) } else { shown(rounded) }
+}

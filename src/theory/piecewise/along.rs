@@ -1,0 +1,58 @@
+//! Where the beam changes, and where a beam that follows the ground would be pulled.
+
+use super::{Breakpoint, PiecewiseScene};
+
+impl PiecewiseScene {
+    /// Those at which the beam changes strictly between `a` and `b`.
+    pub(in crate::theory) fn divisions_between(&self, a: f64, b: f64) -> &[usize] {
+        let x = |i: &usize| self.breakpoints[*i].x;
+        let first = self.divisions.partition_point(|i| x(i) <= a);
+        let last = self.divisions.partition_point(|i| x(i) < b).max(first);
+        &self.divisions[first..last]
+    }
+
+    /// What acts at breakpoint `i` on a beam that follows the ground on both sides: by how much `e v''` would have to jump more than it
+    /// does, and the force, downwards.
+    pub(in crate::theory) fn acts_along_ground(&self, i: usize) -> [f64; 2] {
+        let Breakpoint { x, force, couple, joint, .. } = self.breakpoints[i];
+        let [left, right] = self.cells_beside(i);
+        if self.cells[left].shape != self.cells[right].shape || left == right {
+            return [-couple, force];
+        }
+        let changes = |order| {
+            if self.divisions.is_empty() { 0.0 } else { self.bent(right, x, order) - self.bent(left, x, order) }
+        };
+        // A beam that is bent turns in a joint, and the ground does not.
+        let turns = if joint == 0.0 { 0.0 } else { self.bent(right, x, 2) };
+        [changes(2) - couple + turns, force - changes(3)]
+    }
+
+    /// True if a support stands at breakpoint `i`, or the beam changes there.
+    pub(in crate::theory) fn changes_at(&self, i: usize) -> bool {
+        self.support_at(i).is_some() || self.divisions.binary_search(&i).is_ok()
+    }
+
+    /// The stretches of tension that reach into the open stretch from `a` to `b`; with `a = b`, that contain this place.
+    pub(in crate::theory) fn tension_between(&self, a: f64, b: f64) -> impl Iterator<Item = &(f64, f64)> {
+        let next = self.tension.partition_point(|&(_, hi)| hi <= a);
+        self.tension[next..].iter().take_while(move |&&(lo, _)| lo < b)
+    }
+
+    /// How far to the left a zone that starts at `x` may be extended, and how far to the right one that ends there: to the
+    /// next stretch of tension, or through the one in which `x` lies.
+    pub(in crate::theory) fn next_tension(&self, x: f64) -> [f64; 2] {
+        let next = self.tension.partition_point(|&(_, hi)| hi <= x);
+        let lo = next.checked_sub(1).map_or(0.0, |i| self.tension[i].1);
+        let hi = self.tension.get(next).map_or(self.length, |&(lo, _)| lo);
+        if x <= hi { [lo, hi] } else { [0.0, self.length] }
+    }
+
+    /// True if the profile is straight beside the free end at breakpoint `i`, where no couple acts, so that a zone may reach it.
+    pub(in crate::theory) fn is_flat_end(&self, i: usize) -> bool {
+        let [_, cell] = self.cells_beside(i);
+        self.is_free_end(i)
+            && !self.is_bearing(i)
+            && self.breakpoints[i].couple == 0.0
+            && self.shapes[self.cells[cell].shape].degree().is_some_and(|degree| degree < 2)
+    }
+}

@@ -1,0 +1,97 @@
+//! In what a span is computed: its clearance or its deflection.
+
+use super::piecewise::PiecewiseScene;
+use super::span::{End, EndCondition};
+
+/// What is given at an end of a span.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Prescribed {
+    /// The slope, counted from the straight line through both ends.
+    Slope(f64),
+    /// The second derivative, times `e`.
+    Curvature(f64),
+}
+
+/// In what a span is computed, and what is known of its ends.
+///
+/// The equations are the same in `v` with `e v'''' = q`, and over many waves or cliffs of a profile they have to be solved
+/// in `v`: `h''` there is of the size of `u''`, and so would be the rounding of `v''`.
+pub(super) struct Way {
+    /// In its deflection, and not in its clearance.
+    pub(super) in_beam: bool,
+    holds: [EndCondition; 2],
+    /// `h` at both ends.
+    pub(super) heights: [f64; 2],
+    /// `v` at both ends.
+    pub(super) levels: [f64; 2],
+    /// The slope of the straight line through both ends.
+    pub(super) incline: f64,
+    /// `u, u', e u'', e u'''` at both ends.
+    pub(super) profiles: [[f64; 4]; 2],
+    /// What is given besides.
+    pub(super) held: [Prescribed; 2],
+}
+
+impl Way {
+    /// Of a span between two ends.
+    pub(super) fn of(given: &PiecewiseScene, a: &End, b: &End) -> Self {
+        let profiles = [given.derivatives(a.cell, a.x), given.derivatives(b.cell, b.x)];
+        let ends = [a, b];
+        let heights = [0, 1].map(|i| ends[i].hold.height());
+        let levels = [0, 1].map(|i| ends[i].hold.level(profiles[i][0]));
+        let bends = [0, 1].map(|i| profiles[i][2] / given.cells[ends[i].cell].stiffness);
+        let in_beam = is_in_beam(given, ends, heights, levels, bends);
+        let rise = if in_beam {
+            let beyond =
+                |i: usize| if ends[i].hold == EndCondition::Resting { profiles[i][1] * ends[i].low } else { 0.0 };
+            levels[1] - levels[0] + (beyond(1) - beyond(0))
+        } else {
+            heights[1] - heights[0]
+        };
+        let incline = rise / (b.x - a.x);
+        let held = [0, 1].map(|i| match (ends[i].hold, in_beam) {
+            (EndCondition::Resting, true) => Prescribed::Slope(profiles[i][1] + bends[i] * ends[i].low - incline),
+            (EndCondition::Resting, false) => Prescribed::Slope(-incline),
+            (EndCondition::Edge { slope: [slope, rest], .. }, true) => Prescribed::Slope(slope - incline + rest),
+            (EndCondition::Edge { slope: [slope, rest], .. }, false) => {
+                Prescribed::Slope(profiles[i][1] - slope - rest - incline)
+            }
+            (EndCondition::Hinge { curvature, .. }, true) => Prescribed::Curvature(curvature),
+            (EndCondition::Hinge { curvature, .. }, false) => Prescribed::Curvature(profiles[i][2] - curvature),
+            (EndCondition::Free | EndCondition::Within, _) => Prescribed::Curvature(0.0),
+        });
+        Self { in_beam, holds: ends.map(|end| end.hold), heights, levels, incline, profiles, held }
+    }
+
+    /// Puts what is given at an end, and so is known without rounding, in its place.
+    pub(super) fn know(&self, i: usize, at: &mut [f64; 4], beam: &mut [f64; 4]) {
+        at[0] = self.heights[i];
+        let profile = &self.profiles[i];
+        match self.holds[i] {
+            EndCondition::Resting => at[1] = 0.0,
+            EndCondition::Edge { slope: [slope, rest], .. } => (at[1], beam[1]) = (profile[1] - slope - rest, slope),
+            EndCondition::Hinge { curvature, .. } => (at[2], beam[2]) = (profile[2] - curvature, curvature),
+            EndCondition::Free | EndCondition::Within => {}
+        }
+    }
+}
+
+/// Whether a span is computed in its deflection, and not in its clearance: the one whose chord and bend are smaller.
+fn is_in_beam(given: &PiecewiseScene, [a, b]: [&End; 2], heights: [f64; 2], levels: [f64; 2], bends: [f64; 2]) -> bool {
+    let chord = |at: [f64; 2]| 6.0 * at[0].abs().max(at[1].abs()) / ((b.x - a.x) * (b.x - a.x));
+    // Between supports and edges levels are given, and a clearance that is not zero is the rounded difference of a depth and a level.
+    let rests = [a, b].iter().any(|end| end.hold == EndCondition::Resting);
+    let rounded = [0, 1].map(|i| if rests || heights[i] == 0.0 { 0.0 } else { levels[i].abs() });
+    let terms = [0, 1].map(|i| heights[i].abs() + rounded[i]);
+    let in_clearance = chord(terms).max(bends[0].abs().max(bends[1].abs()));
+    chord(levels) < in_clearance || is_broken(given, a, b, chord(levels))
+}
+
+/// True if one of the kinks and steps inside a span does more than this to `h''`: over a cliff that goes down and up again they
+/// are huge and cancel, and so `h` is not what to compute there.
+fn is_broken(given: &PiecewiseScene, a: &End, b: &End, bend: f64) -> bool {
+    let l = b.x - a.x;
+    let more = |[kink, step]: [f64; 2]| bend < (4.0 * kink + 6.0 * step / l) / l;
+    let inside = || given.breakpoints_between(a.cell, b.cell).iter();
+    more(given.roughest) && inside().any(|j| more([j.kink.abs(), j.step.abs()]))
+}
