@@ -201,6 +201,11 @@ impl Node {
         Self { slope: Slope::OfGround { from_the_left: !at_left }, lies: at_left, ..Self::at(given, breakpoint) }
     }
 
+    /// A hinge on straight ground, at which a zone starts or ends.
+    pub(super) fn hinge_of_zone(given: &PiecewiseScene, breakpoint: usize, starts: bool) -> Self {
+        Self { slope: Slope::OfGround { from_the_left: !starts }, lies: starts, ..Self::at(given, breakpoint) }
+    }
+
     /// True if it lies on a smooth piece of the profile and can move on it.
     pub(super) fn can_move(&self) -> bool {
         self.breakpoint.is_none()
@@ -231,7 +236,7 @@ impl Node {
         !self.can_move() && !self.is_held() && self.support(given).is_none()
     }
 
-    /// True if it is a free end of the beam in a zone.
+    /// True if it is a free end of the beam in a zone, or a hinge in which a zone starts or ends.
     pub(super) fn is_tip(&self, given: &PiecewiseScene) -> bool {
         !self.can_move() && self.is_held() && self.support(given).is_none()
     }
@@ -357,6 +362,10 @@ impl Node {
         let on_the_right = cell != left || self.x <= 0.0;
         if self.slope == (Slope::OfGround { from_the_left: !on_the_right }) {
             return EndCondition::Resting;
+        }
+        if self.is_tip(given) && given.breakpoints[breakpoint].joint.is_infinite() {
+            // Beside a zone it turns in the hinge, without a moment.
+            return EndCondition::Hinge { height: 0.0, level: given.breakpoints[breakpoint].depth, curvature: 0.0 };
         }
         let (height, level) = match self.support(given).map(|support| &given.supports[support]) {
             Some(support) => (support.clearance[usize::from(on_the_right)], support.level),

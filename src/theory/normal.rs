@@ -140,7 +140,8 @@ impl Normal<'_> {
 
     /// At the left end a zone starts, at the right one it ends.
     fn add_tip(&mut self, tip: Node) {
-        if tip.lies && self.nodes.is_empty() || !tip.lies && self.inside {
+        let is_hinge = tip.breakpoint.is_some_and(|i| self.given.breakpoints[i].joint != 0.0);
+        if tip.lies && (self.nodes.is_empty() || is_hinge && !self.inside) || !tip.lies && self.inside {
             self.nodes.push(tip);
             self.inside = tip.lies;
         }

@@ -121,6 +121,16 @@ impl Repair<'_> {
             for node in beside.into_iter().flatten().filter(|&node| nodes[node].is_edge(self.given)) {
                 self.keep[node] = false;
             }
+            // A zone may begin or end with a hinge on straight ground: it turns there without a moment.
+            let zone = beside.into_iter().flatten().find(|&node| nodes[node].is_of_zone());
+            let edge = beside.into_iter().flatten().find(|&node| nodes[node].is_edge(self.given));
+            let hinge = edge.and_then(|edge| nodes[edge].breakpoint).filter(|&i| {
+                self.given.breakpoints[i].joint.is_infinite() && self.given.is_straight(i) && !self.given.breaks_at(i)
+            });
+            if let (Some(zone), Some(hinge)) = (zone, hinge) {
+                self.keep[zone] = false;
+                self.added.push(Node::hinge_of_zone(self.given, hinge, nodes[zone].starts_zone()));
+            }
         }
     }
 
@@ -129,7 +139,7 @@ impl Repair<'_> {
     fn lift_tip(&mut self, i: usize) {
         let (given, nodes) = (self.given, &self.list.nodes);
         let Some(&tip) = nodes.get(i).filter(|node| node.is_tip(given)) else { return };
-        let left = tip.x <= 0.0;
+        let left = tip.lies;
         let far = if left { nodes.get(i + 1) } else { i.checked_sub(1).map(|i| &nodes[i]) };
         let place = tip.x + 0.25 * far.map_or(0.0, |far| far.x - tip.x);
         self.keep[i] = false;
@@ -137,7 +147,7 @@ impl Repair<'_> {
         self.added.push(if left { Node::start(place, cell) } else { Node::end(place, cell) });
         let bent = if left { tip.couple(given) } else { -tip.couple(given) };
         if given.bent(tip.cell, tip.x, 2) < bent {
-            self.added.push(edge_node(given, if left { 0 } else { given.cells.len() }));
+            self.added.extend(tip.breakpoint.map(|at| edge_node(given, at)));
         }
     }
 

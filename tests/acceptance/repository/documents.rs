@@ -118,11 +118,13 @@ fn the_scene_of_the_readme_is_one() {
 }
 
 /// What the README says is covered, with the lines of a scene that has it; a line that begins with `-` takes one away.
-const COVERED: [(&str, &str); 15] = [
+const COVERED: [(&str, &str); 17] = [
     ("uniform", "load.uniform = 0.7"),
     ("linear", "load.linear = [{ from = 1.0, to = 6.0, start = 0.5, end = 2.0 }]"),
     ("point loads", "load.point = [{ at = 3.0, force = 2.0 }]"),
     ("couples", "load.couple = [{ at = 3.0, moment = 0.5 }]"),
+    ("a bending stiffness in steps", "beam.bending_stiffness = { steps = [[0, 1.3], [4, 2.6]] }"),
+    ("elastic joints", "beam.joints = [{ at = 4.0, stiffness = 2.0 }]"),
     ("flat", "foundation.depth = 1.0"),
     ("a polyline", "foundation.points = [[0, 1.0], [4, 0.5], [10, 1.0]]"),
     ("a survey", "foundation.survey = \"levels.csv\""),
@@ -140,10 +142,11 @@ const COVERED: [(&str, &str); 15] = [
 const BETWEEN: [&str; 5] = ["foundations", "that", "or", "and", "are"];
 
 /// What the README says is not covered, with a line that asks for it.
-const NOT_COVERED: [(&str, &str); 4] = [
+const NOT_COVERED: [(&str, &str); 5] = [
     ("friction", "foundation = { depth = 1.0, friction = 0.3 }"),
     ("shear deformation", "beam.shear_stiffness = 5.0"),
     ("large deflections", "beam.large_deflections = true"),
+    ("a stiffness that changes gradually", "beam.bending_stiffness = [1.0, 2.0]"),
     ("anything that moves with time", "load.point = [{ at = 1.0, force = 1.0, speed = 20.0 }]"),
 ];
 

@@ -178,6 +178,9 @@ fn couples_on_grids() {
     }
 }
 
+/// A scene with from, to and force of its contacts, and its largest moment, least moment and energy.
+type Case<'a> = (&'a str, &'a [[f64; 3]], [f64; 3]);
+
 /// Scenes with a stiffness in steps, and numbers of 16 digits from another engine: two stiffnesses on flat ground, a ski, a pipe with a
 /// thick piece over a sleeper, a step on a wave.
 #[test]
@@ -194,8 +197,7 @@ fn steps_of_the_bending_stiffness() {
     let wave = "[beam]\nlength = 12.0\nbending_stiffness = { steps = [[0, 40.0], [4.1, 60.0]] }\n\n[load]\nuniform = 2.0\n\
                 linear = [{ from = 6.0, to = 12.0, start = 0.0, end = 3.0 }]\n\n[foundation]\n\
                 cosine = { mean = 0.5, amplitude = 0.15, wavelength = 4.0 }\n";
-    // From, to and force of contacts, largest and least moment, energy.
-    let cases: [(&str, &[[f64; 3]], [f64; 3]); 4] = [
+    let cases: [Case<'_>; 4] = [
         (
             flat,
             &[[2.364_354_022_507_939_6, 6.656_298_475_117_889_5, 7.145_972_226_304_975]],

@@ -8,14 +8,17 @@ use super::prelude::*;
 use crate::report::files;
 
 /// The tables of the page in their order: a line with a key of the table in the place of `{}`, and one with an example.
-const TABLES: [[&str; 2]; 11] = [
+const TABLES: [[&str; 2]; 14] = [
     ["{}", "{}"],
     ["units = { {} }", "{}"],
     ["beam.{}", "beam.{}"],
+    ["beam.bending_stiffness = { {} }", "beam.{}"],
+    ["beam.joints = [{ {} }]", "beam.{}"],
     ["beam.supports = [{ {} }]", "beam.{}"],
     ["load.{}", "load.{}"],
     ["load.linear = [{ {} }]", "load.{}"],
     ["load.point = [{ {} }]", "load.{}"],
+    ["load.couple = [{ {} }]", "load.{}"],
     ["foundation.{}", "foundation.{}"],
     ["foundation.cosine = { {} }", "foundation.{}"],
     ["foundation.survey = { {} }", "foundation.{}"],
