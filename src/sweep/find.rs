@@ -94,13 +94,13 @@ impl Sweep<'_> {
         search.govern.towards(until.target);
         let mut reached = match until.measure {
             Measure::Contact => search.contact(),
-            _ => search.reached(),
+            _ => search.reached(until.target),
         };
         let mut nearest = None;
         if reached.is_empty() {
             // An extreme may be the target.
             nearest = search.nearest();
-            reached = search.reached();
+            reached = search.reached(until.target);
         }
         let is_whole = 0 < left.get();
         left.set(u64::MAX);
@@ -132,12 +132,12 @@ impl Find<'_> {
         changes.into_iter().map(|(value, off)| Reached { off, ..Reached::at(value) }).collect()
     }
 
-    /// Where the target is reached, by the samples that there are.
-    fn reached(&mut self) -> Vec<Reached> {
+    /// Where a target is reached, by the samples that there are.
+    fn reached(&mut self, target: f64) -> Vec<Reached> {
         let [start, end] = self.sweep.range;
         let one = ONE_VALUE * (end - start).abs();
         let sides: Vec<(f64, Option<f64>)> =
-            self.govern.samples.iter().map(|sample| (sample.value, sample.side(self.until.target))).collect();
+            self.govern.samples.iter().map(|sample| (sample.value, sample.side(target))).collect();
         let runs: Vec<&[(f64, Option<f64>)]> = sides.chunk_by(|a, b| a.1 == b.1).collect();
         let mut all = Vec::new();
         for (i, run) in runs.iter().enumerate() {
@@ -149,17 +149,18 @@ impl Find<'_> {
             if side != 0.0 {
                 // Between two sides.
                 if let Some((next, _)) = beyond.filter(|(_, other)| side * other < 0.0) {
-                    all.extend(self.crossing(to, next));
+                    all.extend(self.crossing(target, to, next));
                 }
                 continue;
             }
             if one < (to - from).abs() {
-                let [from, to] = [(from, before), (to, beyond)].map(|(value, other)| self.end_of_stretch(value, other));
+                let [from, to] =
+                    [(from, before), (to, beyond)].map(|(value, other)| self.end_of_stretch(target, value, other));
                 all.push(Reached { from, to, off: 0.0 });
                 continue;
             }
             match (before, beyond) {
-                (Some((a, side)), Some((b, other))) if side * other < 0.0 => all.extend(self.crossing(a, b)),
+                (Some((a, side)), Some((b, other))) if side * other < 0.0 => all.extend(self.crossing(target, a, b)),
                 _ => all.push(Reached::at(0.5 * (from + to))),
             }
         }
@@ -172,8 +173,8 @@ impl Find<'_> {
     }
 
     /// The root between two values on different sides.
-    fn crossing(&mut self, a: f64, b: f64) -> Option<Reached> {
-        let (sweep, left, target) = (self.sweep, self.left, self.until.target);
+    fn crossing(&mut self, target: f64, a: f64, b: f64) -> Option<Reached> {
+        let (sweep, left) = (self.sweep, self.left);
         let [at_a, at_b] = [a, b].map(|value| self.at(value).map(|measured| measured.number - target));
         let (at_a, at_b) = (at_a?, at_b?);
         let sign = at_a.signum();
@@ -183,16 +184,26 @@ impl Find<'_> {
         (0 < left.get()).then(|| Reached::at(value))
     }
 
-    /// Where a stretch in which the target is reached ends, between a value inside and one beyond it, if there is one.
-    fn end_of_stretch(&mut self, inside: f64, beyond: Option<(f64, f64)>) -> f64 {
+    /// Where a stretch in which the target is reached ends, between a value inside and one beyond it, if there is one: where the line
+    /// meets the target that leads to it from beyond, if that is the same to the rounding of the measure.
+    fn end_of_stretch(&mut self, target: f64, inside: f64, beyond: Option<(f64, f64)>) -> f64 {
+        /// The line goes through two values at this share of the range, and at twice that, from the end.
+        const APART: f64 = 1e-7;
         let Some((beyond, _)) = beyond else { return inside };
-        let (sweep, target) = (self.sweep, self.until.target);
-        let this = RefCell::new(self);
+        let sweep = self.sweep;
+        let this = RefCell::new(&mut *self);
         let has = |value, (): &()| {
             let measured = this.borrow_mut().at(value)?;
             (measured.side(target) == 0.0).then_some(())
         };
-        last((inside, ()), beyond, u32::MAX, |a, b| sweep.is_narrow(a, b), has).0
+        let end = last((inside, ()), beyond, u32::MAX, |a, b| sweep.is_narrow(a, b), has).0;
+        let [from, to] = sweep.range;
+        let step = APART * (to - from).abs() * (beyond - end).signum();
+        let [near, far] = [end + step, end + 2.0 * step].map(|value| self.at(value));
+        let Some((near, far)) = near.zip(far) else { return end };
+        let slope = (far.number - near.number) / step;
+        let meets = end + step - (near.number - target) / slope;
+        if (slope * (meets - end)).abs() <= 2.0 * near.rounding(target) { meets } else { end }
     }
 
     /// The value that comes nearest to the target.
@@ -210,7 +221,9 @@ impl Find<'_> {
             }
         };
         let Largest { size, value, .. } = self.govern.largest(Extreme::Asked { sign })?;
-        Some(Beside { value, reached: sign * size })
+        // Where it comes there first: rounding decides which value of a stretch is the largest.
+        let value = self.reached(sign * size).first().map_or(value, |reached| reached.from);
+        Some(Beside { value, reached: self.at(value)?.number })
     }
 
     /// A value that reaches the target, with the values beside it.

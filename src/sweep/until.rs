@@ -131,7 +131,12 @@ impl Measured {
     /// Above a target, 1; below it, −1; 0 where it is reached to rounding.
     pub(super) fn side(self, target: f64) -> f64 {
         let off = self.number - target;
-        if off.abs() <= Self::DIGITS * self.size.max(target.abs()) { 0.0 } else { off.signum() }
+        if off.abs() <= self.rounding(target) { 0.0 } else { off.signum() }
+    }
+
+    /// By how much it may be off beside a target.
+    pub(super) fn rounding(self, target: f64) -> f64 {
+        Self::DIGITS * self.size.max(target.abs())
     }
 }
 

@@ -136,6 +136,8 @@ fn a_target_that_stays_reached_is_a_stretch_of_values() {
     let found = find(&scene, "load.uniform", [0.001, 1.0], "deflection(5) = 1").found;
     assert_eq!((found.len(), found[0].until), (1, Some(1.0)), "{found:?}");
     near(&[found[0].value], &[0.01], "where it comes to rest");
+    let nearest = find(&scene, "load.uniform", [0.001, 1.0], "deflection(5) = 2").nearest.expect("a nearest value");
+    near(&[nearest.value, nearest.reached], &[0.01, 1.0], "where it comes to rest, the nearest value");
     let always = find(&scene, "load.uniform", [0.1, 1.0], "contact").nearest.expect("contact all the way");
     near(&[always.value], &[0.1], "the load that presses least");
     let ground = Some(Foundation::Flat { depth: 1.0 });
