@@ -311,10 +311,9 @@ pub(super) struct Export {
     pub(super) form: Form,
 }
 
+/// What is varied, and how far.
 #[derive(Debug, Args)]
-pub(super) struct Sweep {
-    #[command(flatten)]
-    pub(super) common: Common,
+pub(super) struct Varied {
     /// The number that is varied; of several with commas between them, the others are changed by the same amount as the first, or by minus
     /// the amount after a minus sign. `[*]` stands for each index. A point load beyond the beam is no load
     #[arg(long, value_name = "PATH[,PATH…]")]
@@ -325,6 +324,14 @@ pub(super) struct Sweep {
     /// Its last value
     #[arg(long, value_name = "B", allow_hyphen_values = true, value_parser = number)]
     pub(super) to: f64,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct Sweep {
+    #[command(flatten)]
+    pub(super) common: Common,
+    #[command(flatten)]
+    pub(super) varied: Varied,
     /// How many values, both ends included, at least 2
     #[arg(short = 'n', long, value_name = "N", allow_hyphen_values = true, value_parser = steps, default_value_t = 101)]
     pub(super) steps: usize,

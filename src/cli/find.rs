@@ -9,11 +9,10 @@ use palkki::text::{Results, magnitude};
 use serde::Serialize;
 
 use super::answer::Answer;
-use super::arguments::Common;
+use super::arguments::{Common, Varied};
 use super::given::given;
 use super::input::Input;
 use super::json::{self, RouteObject, SceneObject};
-use super::numbers::number;
 use super::output::Failure;
 use super::sweep::{REASON, header, outermost, row, varied};
 use super::table::{Row, list, table};
@@ -41,15 +40,8 @@ Examples:
 pub(super) struct Find {
     #[command(flatten)]
     pub(super) common: Common,
-    /// The number that is varied; several of them as in `sweep`
-    #[arg(long, value_name = "PATH[,PATH…]")]
-    pub(super) vary: String,
-    /// Where the search begins
-    #[arg(long, value_name = "A", allow_hyphen_values = true, value_parser = number)]
-    pub(super) from: f64,
-    /// Where the search ends
-    #[arg(long, value_name = "B", allow_hyphen_values = true, value_parser = number)]
-    pub(super) to: f64,
+    #[command(flatten)]
+    pub(super) varied: Varied,
     /// What is to be reached
     #[arg(long, value_name = "CONDITION")]
     pub(super) until: String,

@@ -42,7 +42,7 @@ use palkki::text::Results;
 use palkki::verdict::Demand;
 
 use self::answer::{Answer, Route};
-use self::arguments::{Arguments, Command, Common, Format, SceneArgument, Solve};
+use self::arguments::{Arguments, Command, Common, Format, SceneArgument, Solve, Varied};
 use self::files::Files;
 use self::input::{Input, Read};
 use self::local::Local;
@@ -213,7 +213,7 @@ fn certify(arguments: &arguments::Certify) -> Result<u8, Failure> {
 }
 
 fn sweep(arguments: &arguments::Sweep) -> Result<u8, Failure> {
-    let arguments::Sweep { common, vary, from, to, steps, at, envelope, csv, plot } = arguments;
+    let arguments::Sweep { common, varied: Varied { vary, from, to }, steps, at, envelope, csv, plot } = arguments;
     let what = format!("sweeping {vary} for {}", input::called(&common.scene.path));
     let on_beam = |input: &Input| {
         let sweep = Sweep::new(&input.scene, vary, [*from, *to], *steps)?;
@@ -236,7 +236,7 @@ fn sweep(arguments: &arguments::Sweep) -> Result<u8, Failure> {
 }
 
 fn find(arguments: &find::Find) -> Result<u8, Failure> {
-    let find::Find { common, vary, from, to, until } = arguments;
+    let find::Find { common, varied: Varied { vary, from, to }, until } = arguments;
     let what = format!("searching {vary} for {}", input::called(&common.scene.path));
     let on_beam = |input: &Input| {
         let until = Until::parse(until, &input.scene).map_err(|error| Failure::refused("find", error.to_string()))?;
