@@ -1,15 +1,16 @@
-//! The arguments, the help that explains them, the numbers that they take, and how others are refused.
+//! The arguments, and the help that explains them.
 
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 use palkki::DEFAULT_TOLERANCE;
 use palkki::route::Solver;
-use palkki::sweep::MOST_STEPS;
 use palkki::text::{DIGITS, MOST_DIGITS};
 
 use super::explain::{EXAMPLE as EXPLAIN_EXAMPLE, Explain};
+use super::find::{EXAMPLES as FIND_EXAMPLES, Find};
 use super::json::MOST_INTERVALS_WITH_NODES;
+use super::numbers::{depth_tolerance, digits, intervals, number, steps, tolerance};
 pub(super) use super::values::{Form, Format, GridMethod, LoadArgument, MethodArgument, SolverArgument};
 
 /// Intervals of a grid that nobody asked for: those of the paper's example.
@@ -144,6 +145,15 @@ pub(super) enum Command {
     /// missed. The exit code is 0 if every answer is certified.
     #[command(after_help = SWEEP_EXAMPLES)]
     Sweep(Sweep),
+    /// Find the values of one number of a scene for which the beam reaches something.
+    ///
+    /// All values between A and B are printed that the search finds, to rounding and in the order from A to B, each with the certified
+    /// answers just below and just above it. The search looks at 256 values, and closer where the condition may be met between two of
+    /// them; a condition that is met and lost again within a 256th of the range may be missed. Where the quantity jumps past the number,
+    /// as a shear force does when a load passes, the value of the jump is printed and called so.
+    /// If no value meets the condition, the nearest one is printed with what is reached there, and the exit code is 1.
+    #[command(after_help = FIND_EXAMPLES)]
+    Find(Find),
     /// Print the equations of the exact answer with their numbers, to be followed by hand.
     ///
     /// On the contacts that beam theory found: nodes and spans, the equation of three moments where two spans meet, one equation for
@@ -301,10 +311,9 @@ pub(super) struct Export {
     pub(super) form: Form,
 }
 
+/// What is varied, and how far.
 #[derive(Debug, Args)]
-pub(super) struct Sweep {
-    #[command(flatten)]
-    pub(super) common: Common,
+pub(super) struct Varied {
     /// The number that is varied; of several with commas between them, the others are changed by the same amount as the first, or by minus
     /// the amount after a minus sign. `[*]` stands for each index. A point load beyond the beam is no load
     #[arg(long, value_name = "PATH[,PATH…]")]
@@ -315,6 +324,14 @@ pub(super) struct Sweep {
     /// Its last value
     #[arg(long, value_name = "B", allow_hyphen_values = true, value_parser = number)]
     pub(super) to: f64,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct Sweep {
+    #[command(flatten)]
+    pub(super) common: Common,
+    #[command(flatten)]
+    pub(super) varied: Varied,
     /// How many values, both ends included, at least 2
     #[arg(short = 'n', long, value_name = "N", allow_hyphen_values = true, value_parser = steps, default_value_t = 101)]
     pub(super) steps: usize,
@@ -333,64 +350,6 @@ pub(super) struct Sweep {
     #[arg(long, value_name = "FILE.svg")]
     pub(super) plot: Option<PathBuf>,
 }
-
-/// A count of something, at least 2 and at most so many.
-fn count(of: &str, most: usize, text: &str) -> Result<usize, String> {
-    let not = |what: &str| Err(format!("the number of {of} must be {what}, but is {text}"));
-    match text.parse::<usize>() {
-        Ok(..2) => not("at least 2"),
-        Ok(number) if number <= most => Ok(number),
-        Err(error) if *error.kind() != std::num::IntErrorKind::PosOverflow => not("a whole number, at least 2"),
-        _ => not(&format!("at most {most}")),
-    }
-}
-
-/// `--steps`.
-fn steps(text: &str) -> Result<usize, String> {
-    count("steps", MOST_STEPS, text)
-}
-
-/// `--intervals`.
-fn intervals(text: &str) -> Result<usize, String> {
-    count("intervals", MOST_INTERVALS, text)
-}
-
-/// `--digits`.
-fn digits(text: &str) -> Result<usize, String> {
-    match text.parse::<usize>() {
-        Ok(number @ 1..=MOST_DIGITS) => Ok(number),
-        _ => Err(format!("the number of digits must be a whole number from 1 to {MOST_DIGITS}, but is {text}")),
-    }
-}
-
-/// A positive, finite number; `what` it is.
-fn positive(what: &str, text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(number) if 0.0 < number && number < f64::INFINITY => Ok(number),
-        _ => Err(format!("the {what} must be a positive, finite number, but is {text}")),
-    }
-}
-
-/// `--tolerance`.
-fn tolerance(text: &str) -> Result<f64, String> {
-    positive("tolerance", text)
-}
-
-/// `--depth-tolerance`.
-fn depth_tolerance(text: &str) -> Result<f64, String> {
-    positive("tolerance of the depth", text)
-}
-
-/// A finite number.
-fn number(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(number) if number.is_finite() => Ok(number),
-        _ => Err(format!("it must be a finite number, but is {text}")),
-    }
-}
-
-/// More intervals than any computer that this runs on has memory for.
-const MOST_INTERVALS: usize = 10_000_000;
 
 /// The finest grid whose nodes are printed, written or drawn: their text takes some hundred megabytes for each million.
 pub(super) const MOST_INTERVALS_WRITTEN: usize = 3_000_000;

@@ -23,7 +23,7 @@ pub(super) const MOST_INTERVALS_WITH_NODES: usize = 10_000;
 
 /// What is printed of the scene itself.
 #[derive(Debug, Serialize)]
-struct SceneObject<'a> {
+pub(super) struct SceneObject<'a> {
     scene: &'a str,
     /// What may be wrong with it, though it has an answer.
     #[serde(skip_serializing_if = "<[String]>::is_empty")]
@@ -160,7 +160,7 @@ pub(super) fn print(value: &impl Serialize) -> String {
 
 /// What `solve` and each route of `compare` have in common: how an answer was found, what it is worth, and what it says.
 #[derive(Debug, Serialize)]
-struct RouteObject<'a> {
+pub(super) struct RouteObject<'a> {
     method: &'a str,
     solver: &'a str,
     intervals: Option<usize>,

@@ -14,11 +14,13 @@ mod csv;
 mod explain;
 mod export;
 mod files;
+mod find;
 mod given;
 mod held;
 mod input;
 mod json;
 mod local;
+mod numbers;
 mod output;
 mod pages;
 mod qps;
@@ -35,12 +37,12 @@ use palkki::adaptive::Request;
 use palkki::body::Body;
 use palkki::plot::{self, Curves};
 use palkki::route::Status;
-use palkki::sweep::Sweep;
+use palkki::sweep::{Sweep, Until};
 use palkki::text::Results;
 use palkki::verdict::Demand;
 
 use self::answer::{Answer, Route};
-use self::arguments::{Arguments, Command, Common, Format, SceneArgument, Solve};
+use self::arguments::{Arguments, Command, Common, Format, SceneArgument, Solve, Varied};
 use self::files::Files;
 use self::input::{Input, Read};
 use self::local::Local;
@@ -52,6 +54,9 @@ const CERTIFIED: u8 = 0;
 const NOT_CERTIFIED: u8 = 1;
 /// and there is none.
 const FAILED: u8 = 2;
+
+/// Why a body is not swept.
+const NOTHING_TO_VARY: &str = "a [body] has no number that could be varied";
 
 /// Runs the program on the arguments that it was started with.
 pub(crate) fn run() -> ExitCode {
@@ -65,6 +70,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Compare(arguments) => compare(arguments),
         Command::Certify(arguments) => certify(arguments),
         Command::Sweep(arguments) => sweep(arguments),
+        Command::Find(arguments) => find(arguments),
         Command::Explain(arguments) => explain(arguments),
         Command::Export(arguments) => export(arguments),
         Command::Completions { shell } => pages::completions(*shell),
@@ -210,7 +216,7 @@ fn certify(arguments: &arguments::Certify) -> Result<u8, Failure> {
 }
 
 fn sweep(arguments: &arguments::Sweep) -> Result<u8, Failure> {
-    let arguments::Sweep { common, vary, from, to, steps, at, envelope, csv, plot } = arguments;
+    let arguments::Sweep { common, varied: Varied { vary, from, to }, steps, at, envelope, csv, plot } = arguments;
     let what = format!("sweeping {vary} for {}", input::called(&common.scene.path));
     let on_beam = |input: &Input| {
         let sweep = Sweep::new(&input.scene, vary, [*from, *to], *steps)?;
@@ -228,8 +234,21 @@ fn sweep(arguments: &arguments::Sweep) -> Result<u8, Failure> {
         Ok(Outcome { text, files: vec![csv, plot], is_certified: swept.is_certified() })
     };
     run_on_scene(&common.scene, common.format, what, &[csv, plot], on_beam, |_| {
-        Err(Failure::refused("sweep", "a [body] has no number that could be varied"))
+        Err(Failure::refused("sweep", NOTHING_TO_VARY))
     })
+}
+
+fn find(arguments: &find::Find) -> Result<u8, Failure> {
+    let find::Find { common, varied: Varied { vary, from, to }, until } = arguments;
+    let what = format!("searching {vary} for {}", input::called(&common.scene.path));
+    let on_beam = |input: &Input| {
+        let until = Until::parse(until, &input.scene).map_err(|error| Failure::refused("find", error.to_string()))?;
+        let sweep = Sweep::new(&input.scene, vary, [*from, *to], 2)?;
+        let finding = find::Finding::of(&sweep, input, until, [*from, *to])?;
+        let text = common.shown(|| finding.text(input), || finding.json(input));
+        Ok(Outcome { text, files: Vec::new(), is_certified: finding.is_certified() })
+    };
+    run_on_scene(&common.scene, common.format, what, &[], on_beam, |_| Err(Failure::refused("find", NOTHING_TO_VARY)))
 }
 
 fn explain(arguments: &explain::Explain) -> Result<u8, Failure> {

@@ -104,7 +104,7 @@ impl Gaps {
 }
 
 /// Why a sweep is stopped, and what to do.
-const REASON: &str =
+pub(super) const REASON: &str =
     "the work that one sweep may take is done: a shorter range, fewer values or a simpler scene take less";
 
 impl Swept {
@@ -185,10 +185,7 @@ impl Swept {
             .map(|row| row.map_or_else(String::new, |row| labels.number(row.value)));
         let [rows, events] = self.seconds.map(magnitude);
         let status = Status::of_several(self.is_certified());
-        let varied = match self.paths.split_once(',') {
-            Some((first, others)) => format!("{first}, and by as much {}", others.replace(',', ", ")),
-            None => self.paths.clone(),
-        };
+        let varied = varied(&self.paths);
         let of = self.stopped.as_ref().map_or(self.rows.len(), |stopped| stopped.of);
         let ended = if self.stopped.is_some() { " are certified, and the sweep is not whole" } else { "" };
         let mut text = heading(status, &format!("{certified} of {of} answers{ended}"), input);
@@ -214,23 +211,15 @@ impl Swept {
             text += &envelope_text(envelope, &labels);
         }
         let outermost = outermost(input.scene.beam());
-        let mut header = vec![
-            self.quantity.to_string(),
-            "status".to_owned(),
-            "regime".to_owned(),
-            "contacts".to_owned(),
-            labels.force.name("contact"),
-        ];
-        header.extend(outermost.iter().map(|(name, _)| labels.force.name(name)));
-        header.extend([
-            labels.length.name("deflection"),
-            labels.moment.name("moment"),
-            labels.moment.name("least moment"),
-        ]);
+        let header: Row = std::iter::once(self.quantity.to_string()).chain(header(&outermost, &labels)).collect();
         let step = self.rows.len().div_ceil(SHOWN);
         let last = self.rows.len() - 1;
         let shown = || self.rows.iter().enumerate().filter(|(i, _)| i % step == 0 || *i == last).map(|(_, row)| row);
-        let rows: Vec<Row> = shown().map(|swept| row(swept.value, &swept.answer, &outermost, &labels)).collect();
+        let of = |swept: &SweptRow| {
+            let cells = row(&swept.answer, &outermost, &labels);
+            std::iter::once(labels.number(swept.value)).chain(cells).collect()
+        };
+        let rows: Vec<Row> = shown().map(of).collect();
         let title = match rows.len() {
             all if all == self.rows.len() => "Answers".to_owned(),
             some => format!("Answers, {some} of {}; --csv and --format json have all", self.rows.len()),
@@ -309,6 +298,14 @@ impl Swept {
     }
 }
 
+/// The numbers that are varied, in words.
+pub(super) fn varied(paths: &str) -> String {
+    match paths.split_once(',') {
+        Some((first, others)) => format!("{first}, and by as much {}", others.replace(',', ", ")),
+        None => paths.to_owned(),
+    }
+}
+
 /// The moments that govern, and the forces of the supports.
 fn envelope_text(envelope: &Envelope, labels: &Labels) -> String {
     let Governing { moment_max, moment_min } = &envelope.governing;
@@ -350,7 +347,7 @@ fn known(event: &Event) -> String {
 }
 
 /// The first and the last support, whose forces the table shows: names and numbers.
-fn outermost(beam: &Beam) -> Vec<(&'static str, usize)> {
+pub(super) fn outermost(beam: &Beam) -> Vec<(&'static str, usize)> {
     match beam.all_supports()[..] {
         [] => Vec::new(),
         [_] => vec![("support", 0)],
@@ -362,10 +359,19 @@ fn outermost(beam: &Beam) -> Vec<(&'static str, usize)> {
     }
 }
 
-fn row(value: f64, answer: &Answer, outermost: &[(&str, usize)], labels: &Labels) -> Row {
+/// What a row shows of an answer.
+pub(super) fn header(outermost: &[(&str, usize)], labels: &Labels) -> Row {
+    let mut header = ["status", "regime", "contacts"].map(str::to_owned).to_vec();
+    header.push(labels.force.name("contact"));
+    header.extend(outermost.iter().map(|(name, _)| labels.force.name(name)));
+    header.extend([labels.length.name("deflection"), labels.moment.name("moment"), labels.moment.name("least moment")]);
+    header
+}
+
+/// The cells of an answer below this header.
+pub(super) fn row(answer: &Answer, outermost: &[(&str, usize)], labels: &Labels) -> Row {
     let state = &answer.solution.state;
     let mut cells = vec![
-        labels.number(value),
         answer.solution.verdict.status.to_string(),
         state.regime.name().to_owned(),
         state.contacts.len().to_string(),

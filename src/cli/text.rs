@@ -1,5 +1,7 @@
 //! Answers as tables for a person.
 
+use std::fmt::Display;
+
 use palkki::certificate::Certificate;
 use palkki::route::Status;
 use palkki::state::{Contact, Extremes, Motion, Nodes, Pressure, Standing, SupportForce, Touch};
@@ -12,7 +14,7 @@ use super::input::Input;
 use super::table::{Label, Labels, MOST_ROWS, Row, first, list, table};
 
 /// The status with its reason, in the first line, and the title of the scene, underlined.
-pub(super) fn heading<M>(status: Status, reason: &str, input: &Input<M>) -> String {
+pub(super) fn heading<M>(status: impl Display, reason: &str, input: &Input<M>) -> String {
     let title = input.title();
     format!("{status}: {reason}\n\n{title}\n{}\n\n{}", "=".repeat(title.chars().count()), input.warning_lines())
 }

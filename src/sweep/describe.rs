@@ -2,7 +2,7 @@
 
 use crate::state::{Contact, Regime};
 use crate::text::significant;
-use crate::theory::{ContactKind, Exact, ZoneEnd};
+use crate::theory::{ContactKind, Exact, Pattern, ZoneEnd};
 
 /// What happens from one answer to the next.
 pub(super) fn describe(before: &Exact, after: &Exact) -> String {
@@ -48,6 +48,11 @@ pub(super) fn describe(before: &Exact, after: &Exact) -> String {
 /// Whether it is a contact with the ground.
 fn is_ground(kind: &ContactKind) -> bool {
     !matches!(kind, ContactKind::Bearing(_))
+}
+
+/// Whether the beam touches the ground.
+pub(super) fn touches(pattern: &Pattern) -> bool {
+    pattern.kinds.iter().any(is_ground)
 }
 
 /// The regime of contacts by their kinds: beside an event the length of a zone may be below the last digit of its place.

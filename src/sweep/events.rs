@@ -6,7 +6,7 @@
 
 use std::cell::Cell;
 
-use super::describe::describe;
+use super::describe::{describe, touches};
 use super::{Row, Sweep};
 use crate::theory::{Exact, Pattern};
 
@@ -105,8 +105,28 @@ impl Sweep<'_> {
     #[must_use]
     pub fn events_and_work(&self, rows: &[(f64, Pattern)], work: u64) -> (Events, u64) {
         let search = Search { sweep: self, left: Cell::new(work) };
-        let (mut roots, until) = search.all(rows);
-        let [start, end] = self.range;
+        let (roots, until) = search.inside(rows);
+        // All that is found is described, whatever work that takes.
+        let taken = work - search.left.replace(u64::MAX);
+        (Events { events: search.described(roots), until }, taken)
+    }
+
+    /// The values between rows at which contact with the foundation begins or ends, in their order, each with what it may be off by; and
+    /// whether so much work was enough to find them.
+    pub(super) fn changes_of_contact(&self, rows: &[(f64, Pattern)], work: u64) -> (Vec<(f64, f64)>, bool) {
+        let search = Search { sweep: self, left: Cell::new(work) };
+        let (roots, until) = search.inside(rows);
+        search.left.set(u64::MAX);
+        let changes = |root: &&Root| touches(&root.before.pattern) != touches(&root.after.pattern);
+        (search.single(roots).iter().filter(changes).map(|root| search.settled(root)).collect(), until.is_none())
+    }
+}
+
+impl Search<'_> {
+    /// All roots between rows that lie within the range, and the value up to which they were searched for, if that is not all.
+    fn inside(&self, rows: &[(f64, Pattern)]) -> (Vec<Root>, Option<f64>) {
+        let (mut roots, until) = self.all(rows);
+        let [start, end] = self.sweep.range;
         // The scene is also solved a little beyond both ends.
         let within = |value: f64| value.max(start.min(end)).min(start.max(end));
         roots.retain_mut(|root| {
@@ -116,13 +136,9 @@ impl Sweep<'_> {
             // One at an end may come out beyond it.
             outside <= BESIDE * (end - start).abs()
         });
-        // All that is found is described, whatever work that takes.
-        let taken = work - search.left.replace(u64::MAX);
-        (Events { events: search.described(roots), until: until.map(within) }, taken)
+        (roots, until.map(within))
     }
-}
 
-impl Search<'_> {
     /// All roots between rows, and the value up to which they were searched for, if that is not all.
     fn all(&self, rows: &[(f64, Pattern)]) -> (Vec<Root>, Option<f64>) {
         let mut roots = Vec::new();
@@ -206,9 +222,9 @@ impl Search<'_> {
         }
     }
 
-    /// Roots in words. Those at one value are one event, and so are those between which an answer has several lists of contacts
-    /// that all meet their conditions: of these the list counts that holds the longest.
-    fn described(&self, roots: Vec<Root>) -> Vec<Event> {
+    /// Those at one value are one event, and so are those between which an answer has several lists of contacts that all meet their
+    /// conditions: of these the list counts that holds the longest.
+    fn single(&self, roots: Vec<Root>) -> Vec<Root> {
         let [start, end] = self.sweep.range;
         let mut single: Vec<Root> = Vec::new();
         for root in roots {
@@ -227,12 +243,17 @@ impl Search<'_> {
                 single.push(root);
             }
         }
+        single
+    }
+
+    /// Roots in words.
+    fn described(&self, roots: Vec<Root>) -> Vec<Event> {
         let happens = |root: &&Root| !root.before.is_like(&root.after);
         let event = |root: &Root| {
             let (value, uncertainty) = self.settled(root);
             Event { value, what: describe(&root.before.exact, &root.after.exact), uncertainty }
         };
         // Of contacts that only move there is nothing to tell, however fast they do.
-        single.iter().filter(happens).map(event).filter(|event| !event.what.is_empty()).collect()
+        self.single(roots).iter().filter(happens).map(event).filter(|event| !event.what.is_empty()).collect()
     }
 }

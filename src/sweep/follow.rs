@@ -9,25 +9,16 @@
 use std::collections::HashMap;
 
 use super::events::{At, BESIDE, PAST, Root, Search};
-use super::{GOLDEN, last};
+use super::{GOLDEN, last, root};
 use crate::theory::{Condition, Exact};
 
 /// Farther from an event, by these factors, the scene is solved again where its kind is not decided.
-const FARTHER: [f64; 4] = [1.0, 1e2, 1e4, 1e6];
+pub(super) const FARTHER: [f64; 4] = [1.0, 1e2, 1e4, 1e6];
 
 /// Events between two rows, at most: more are no events but rounding.
 const MOST_EVENTS: usize = 1000;
 
-/// A value below this share of the range has no digits of its own that count.
-const SMALL: f64 = 1e-3;
-
 impl Search<'_> {
-    /// True if nothing is between two values.
-    fn is_narrow(&self, a: f64, b: f64) -> bool {
-        let [start, end] = self.sweep.range;
-        (b - a).abs() <= 2.0 * f64::EPSILON * a.abs().max(b.abs()).max(SMALL * (end - start).abs())
-    }
-
     /// True if all work that is allowed has been done.
     pub(super) fn is_spent(&self) -> bool {
         self.left.get() == 0
@@ -54,7 +45,7 @@ impl Search<'_> {
         /// Halvings: the place is known to a thousand-millionth of the way.
         const HALVINGS: u32 = 30;
         let has = |value, with: &At| self.at(value, &[with]).filter(&accepts);
-        last((from.value, from.clone()), to, HALVINGS, |a, b| self.is_narrow(a, b), has).1
+        last((from.value, from.clone()), to, HALVINGS, |a, b| self.sweep.is_narrow(a, b), has).1
     }
 
     /// The events on the way from one answer to another, and what appears and goes again between two of one kind.
@@ -128,7 +119,7 @@ impl Search<'_> {
                 continue;
             }
             let inside = |share: f64| left.value + share * (right.value - left.value);
-            let narrow = self.is_narrow(left.value, right.value);
+            let narrow = self.sweep.is_narrow(left.value, right.value);
             let found = |share| self.at(inside(share), &[&left, &right]);
             let Some(middle) = SHARES.into_iter().filter(|_| !narrow).find_map(found) else {
                 let gap = self.gap(&left, &right);
@@ -202,49 +193,19 @@ impl Search<'_> {
         of.exact.margin(&self.sweep.scene(value).ok()?, condition)
     }
 
-    /// Where a margin of the contacts at `from` changes its sign before `to`, at which it is negative: the secant, with the value
-    /// at an end that stays halved (Illinois), and the middle where that does not halve the interval soon.
+    /// Where a margin of the contacts at `from` changes its sign before `to`, at which it is negative.
     pub(super) fn root(&self, from: &At, to: f64, condition: Condition) -> Option<f64> {
-        /// Secants in turn before the middle is taken.
-        const SECANTS: u32 = 3;
         /// What a margin may be below zero at a root, as a share of what it is at `to`.
         const NONE: f64 = 1e-2;
         let of = |value: f64| self.margin(from, value, condition);
-        let (mut good, mut bad) = (from.value, to);
-        let (mut at_good, mut at_bad) = (of(good), of(bad).filter(|m| *m < 0.0)?);
+        let (good, bad) = (from.value, to);
+        let (at_good, at_bad) = (of(good), of(bad).filter(|m| *m < 0.0)?);
         if at_good.is_some_and(|m| m <= 0.0) {
             // A condition that has no meaning at `from` is violated there by more than rounding.
             return at_good.filter(|m| NONE * at_bad <= *m).map(|_| good);
         }
-        let mut turn = 0;
-        let mut stays = 0;
-        while !self.is_spent() {
-            let middle = 0.5 * (good + bad);
-            if self.is_narrow(good, bad) {
-                return Some(middle);
-            }
-            turn += 1;
-            let secant = at_good.map(|at_good| bad - at_bad * ((bad - good) / (at_bad - at_good)));
-            let inside = |x: &f64| (x - good) * (x - bad) < 0.0;
-            let next = secant.filter(|_| turn % (SECANTS + 1) != 0).filter(inside).unwrap_or(middle);
-            match of(next) {
-                Some(0.0) => return Some(next),
-                Some(m) if m < 0.0 => {
-                    (bad, at_bad) = (next, m);
-                    if stays == 1 {
-                        at_good = at_good.map(|m| 0.5 * m);
-                    }
-                    stays = 1;
-                }
-                m => {
-                    (good, at_good) = (next, m);
-                    if stays == -1 {
-                        at_bad *= 0.5;
-                    }
-                    stays = -1;
-                }
-            }
-        }
-        None
+        let is_done = |a, b| self.is_spent() || self.sweep.is_narrow(a, b);
+        let value = root::root((good, at_good), (bad, at_bad), is_done, of);
+        (!self.is_spent()).then_some(value)
     }
 }

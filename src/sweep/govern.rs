@@ -10,6 +10,7 @@
 use std::cell::Cell;
 
 use super::events::PAST;
+use super::until::{Measure, Measured};
 use super::{GOLDEN, Sweep};
 use crate::theory::Exact;
 
@@ -39,14 +40,23 @@ const LEFT: f64 = 1e-9;
 /// What is to be as large as possible: an extreme with its sign.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Extreme {
-    Moment { sign: f64 },
-    Support { index: usize, sign: f64 },
+    Moment {
+        sign: f64,
+    },
+    Support {
+        index: usize,
+        sign: f64,
+    },
+    /// Of what is measured.
+    Asked {
+        sign: f64,
+    },
 }
 
 /// The extremes of an answer at a value.
 #[derive(Debug, Clone)]
 pub(super) struct Sample {
-    value: f64,
+    pub(super) value: f64,
     /// None where there is no answer.
     known: Option<Known>,
 }
@@ -57,6 +67,8 @@ struct Known {
     moments: [[f64; 2]; 2],
     /// Force and place of each.
     supports: Vec<[f64; 2]>,
+    /// If something is measured.
+    asked: Option<Measured>,
 }
 
 impl Sample {
@@ -64,7 +76,22 @@ impl Sample {
         let state = &exact.state;
         let moments = [[state.moment.max, state.moment.max_at], [-state.moment.min, state.moment.min_at]];
         let supports = state.supports.iter().map(|support| [support.force, support.at]).collect();
-        Self { value, known: Some(Known { moments, supports }) }
+        Self { value, known: Some(Known { moments, supports, asked: None }) }
+    }
+
+    fn asking(mut self, asked: Option<Measured>) -> Self {
+        self.known = self.known.map(|known| Known { asked, ..known });
+        self
+    }
+
+    /// On which side of a target it is ([`Measured::side`]); none without an answer.
+    pub(super) fn side(&self, target: f64) -> Option<f64> {
+        self.asked().map(|asked| asked.side(target))
+    }
+
+    /// What was measured.
+    pub(super) fn asked(&self) -> Option<Measured> {
+        self.known.as_ref()?.asked
     }
 
     /// The size of an extreme, times its sign.
@@ -73,11 +100,12 @@ impl Sample {
         match extreme {
             Extreme::Moment { sign } => Some(known.moments[usize::from(sign < 0.0)][0]),
             Extreme::Support { index, sign } => known.supports.get(index).map(|[force, _]| sign * force),
+            Extreme::Asked { sign } => known.asked.map(|asked| sign * asked.number),
         }
     }
 }
 
-/// An extreme that was found: its size times its sign, the value of the number varied, and its place.
+/// An extreme that was found: its size times its sign, the value of the number varied, and its place, if it has one.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Largest {
     pub(super) size: f64,
@@ -89,8 +117,10 @@ pub(super) struct Largest {
 #[derive(Debug)]
 pub(super) struct Govern<'a> {
     sweep: &'a Sweep<'a>,
+    /// What is measured, if something is.
+    asked: Option<Measure>,
     /// In the order of the sweep.
-    samples: Vec<Sample>,
+    pub(super) samples: Vec<Sample>,
     near: Option<Exact>,
     /// The work that is left, as [`Exact::work`] counts it.
     left: &'a Cell<u64>,
@@ -99,18 +129,26 @@ pub(super) struct Govern<'a> {
 impl<'a> Govern<'a> {
     /// From the samples of the rows.
     pub(super) fn new(sweep: &'a Sweep<'a>, rows: Vec<Sample>, left: &'a Cell<u64>) -> Self {
-        let mut all = Self { sweep, samples: rows, near: None, left };
-        if all.samples.is_empty() {
-            return all;
-        }
+        let all = Self { sweep, asked: None, samples: rows, near: None, left };
+        if all.samples.is_empty() { all } else { all.on_places() }
+    }
+
+    /// For a number that is measured.
+    pub(super) fn of(sweep: &'a Sweep<'a>, asked: Measure, left: &'a Cell<u64>) -> Self {
+        Self { sweep, asked: Some(asked), samples: Vec::new(), near: None, left }.on_places()
+    }
+
+    /// With the samples of the places.
+    fn on_places(mut self) -> Self {
+        let sweep = self.sweep;
         let [start, end] = sweep.range;
         let places = PLACES.max(PER_SUPPORT * sweep.scene.beam().all_supports().len());
         #[expect(clippy::cast_precision_loss, reason = "thousands of places")]
         let place = |i: usize| start + (end - start) * ((i as f64 - PAST) / places as f64);
         for value in std::iter::once(start).chain((1..=places).map(place)).chain([end]) {
-            all.sample(value);
+            self.sample(value);
         }
-        all
+        self
     }
 
     /// The extreme that sample `i` has, if there is one.
@@ -120,6 +158,7 @@ impl<'a> Govern<'a> {
         let [_, at] = match extreme {
             Extreme::Moment { sign } => known.moments[usize::from(sign < 0.0)],
             Extreme::Support { index, .. } => *known.supports.get(index)?,
+            Extreme::Asked { .. } => [known.asked?.number, f64::NAN],
         };
         Some(Largest { size: sample.size(extreme)?, value: sample.value, at })
     }
@@ -137,6 +176,13 @@ impl<'a> Govern<'a> {
         if self.samples.get(at).is_some_and(|sample| self.along(sample.value) <= along) {
             return Some(at);
         }
+        let sample = self.solved(value)?;
+        self.samples.insert(at, sample);
+        Some(at)
+    }
+
+    /// The sample of a value, unless no work is left.
+    pub(super) fn solved(&mut self, value: f64) -> Option<Sample> {
         if self.left.get() == 0 {
             return None;
         }
@@ -144,10 +190,11 @@ impl<'a> Govern<'a> {
         let work = answer.as_ref().map_or(1, Exact::work);
         self.left.set(self.left.get().saturating_sub(work));
         let solved = answer.filter(|exact| exact.solved);
-        let sample = solved.as_ref().map_or(Sample { value, known: None }, |exact| Sample::of(value, exact));
+        let length = self.sweep.scene.beam().length();
+        let of = |exact: &Exact| Sample::of(value, exact).asking(self.asked.and_then(|asked| asked.of(exact, length)));
+        let sample = solved.as_ref().map_or(Sample { value, known: None }, of);
         self.near = solved.or_else(|| self.near.take());
-        self.samples.insert(at, sample);
-        Some(at)
+        Some(sample)
     }
 
     fn size(&self, i: usize, extreme: Extreme) -> Option<f64> {
@@ -200,16 +247,21 @@ impl<'a> Govern<'a> {
         Some((highest, a + (b - a) * share.clamp(INSIDE, 1.0 - INSIDE)))
     }
 
-    /// An extreme over all values of the range.
-    pub(super) fn largest(&mut self, extreme: Extreme) -> Option<Largest> {
+    /// Divides the stretches in which an extreme may go higher than `limit`, of those that are open to it.
+    fn divide(
+        &mut self,
+        extreme: Extreme,
+        limit: impl Fn(&Self) -> Option<f64>,
+        is_open: impl Fn(&Sample, &Sample) -> bool,
+    ) {
         let [start, end] = self.sweep.range;
         let shortest = SHORTEST * (end - start).abs();
         for _ in 0..DIVISIONS {
-            let (_, best) = self.best(extreme)?;
-            let least = self.samples.iter().filter_map(|sample| sample.size(extreme)).fold(best, f64::min);
-            let higher = best + KNOWN * best.abs().max(best - least);
+            let Some(higher) = limit(self) else { return };
             let open = (0..self.samples.len()).filter(|&i| {
-                self.samples.get(i + 1).is_some_and(|next| shortest < (next.value - self.samples[i].value).abs())
+                let [here, next] = [self.samples.get(i), self.samples.get(i + 1)];
+                here.zip(next)
+                    .is_some_and(|(here, next)| shortest < (next.value - here.value).abs() && is_open(here, next))
             });
             let promising = open.filter_map(|i| self.highest(i, extreme)).filter(|(highest, _)| higher < *highest);
             let Some((_, value)) = promising.max_by(|a, b| a.0.total_cmp(&b.0)) else { break };
@@ -217,6 +269,24 @@ impl<'a> Govern<'a> {
                 break;
             }
         }
+    }
+
+    /// Divides the stretches on one side of a target of what is measured in which it may be reached.
+    pub(super) fn towards(&mut self, target: f64) {
+        for sign in [1.0, -1.0] {
+            let is_short = |sample: &Sample| sample.side(target).is_none_or(|side| sign * side < 0.0);
+            self.divide(Extreme::Asked { sign }, |_| Some(sign * target), |a, b| is_short(a) && is_short(b));
+        }
+    }
+
+    /// An extreme over all values of the range.
+    pub(super) fn largest(&mut self, extreme: Extreme) -> Option<Largest> {
+        let limit = |all: &Self| {
+            let (_, best) = all.best(extreme)?;
+            let least = all.samples.iter().filter_map(|sample| sample.size(extreme)).fold(best, f64::min);
+            Some(best + KNOWN * best.abs().max(best - least))
+        };
+        self.divide(extreme, limit, |_, _| true);
         let (i, _) = self.best(extreme)?;
         let best = self.found(i, extreme)?;
         Some(self.refined(extreme, i, best))

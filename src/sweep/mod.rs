@@ -32,9 +32,12 @@
 mod describe;
 mod envelope;
 mod events;
+mod find;
 mod follow;
 mod govern;
+mod root;
 mod settle;
+mod until;
 
 use crate::route::Solution;
 use crate::scene::{PathError, Quantity, Scene, SceneError, shown};
@@ -43,6 +46,8 @@ use crate::verdict::Demand;
 
 pub use envelope::{Envelope, Gathered, Governing, Moment, SupportEnvelope};
 pub use events::{Event, Events};
+pub use find::{Beside, Finding, Found};
+pub use until::{Measure, Until, UntilError};
 
 /// The most values of a sweep.
 pub const MOST_STEPS: usize = 20_001;

@@ -122,6 +122,17 @@ fn sweeps_are_shown() {
 }
 
 #[test]
+fn what_is_found_is_shown() {
+    let asked = [
+        "find example.toml --vary foundation.depth --from 1 --to 150 --until contact",
+        "find example.toml --vary load.uniform --from 0.001 --to 1 --until deflection(5)=1",
+        "find example.toml --vary load.uniform --from 0.001 --to 1 --until deflection(5)=2",
+        "find one.toml --vary load.uniform --from 1 --to 2 --until support[0]=15 --format json",
+    ];
+    assert_table!("shown@find", "Inverse questions", page(&folder("shown_find"), &asked));
+}
+
+#[test]
 fn explanations_are_shown() {
     let explained = ["explain example.toml", "explain three.toml", "explain cantilever.toml --format markdown"];
     assert_table!("shown@explain", "Equations with their numbers", page(&folder("shown_explain"), &explained));
@@ -172,6 +183,7 @@ fn help_is_shown() {
         "compare --help",
         "certify --help",
         "sweep --help",
+        "find --help",
         "export --help",
         "completions --help",
         "manual --help",
@@ -288,6 +300,18 @@ const REFUSED: &[&str] = &[
     "sweep example.toml --vary foundation.depth --from 1 --to 1",
     "sweep example.toml --vary foundation.depth --from x --to 1",
     "sweep example.toml --vary beam.length --from 1 --to 2",
+    "sweep example.toml --vary foundation.depth --from 1 --to 2 --at 5,11",
+    "find example.toml --vary foundation.depth --from 1 --to 2",
+    "find example.toml --vary foundation.depth --from 1 --to 2 --until contact=1",
+    "find example.toml --vary foundation.depth --from 1 --to 2 --until contact(5)",
+    "find example.toml --vary foundation.depth --from 1 --to 2 --until sag(5)=1",
+    "find example.toml --vary foundation.depth --from 1 --to 2 --until deflection(5)=much",
+    "find example.toml --vary foundation.depth --from 1 --to 2 --until deflection(5)=inf",
+    "find example.toml --vary foundation.depth --from 1 --to 2 --until deflection(11)=1",
+    "find example.toml --vary foundation.depth --from 1 --to 2 --until support[2]=1",
+    "find example.toml --vary foundation.depth --from -2 --to -1 --until contact",
+    "find one.toml --vary load.uniform --from 1 --to 2 --until contact",
+    "find one.toml --vary load.uniform --from 1 --to 2 --until clearance(5)=1",
     "completions frobsh",
     "manual frobnicate",
 ];
@@ -298,7 +322,7 @@ fn shells_and_manual_know_every_option() {
     let folder = Folder::new("shown_pages");
     let shells =
         ["bash", "zsh", "fish", "powershell", "elvish"].map(|shell| folder.run(&format!("completions {shell}")));
-    let commands = ["solve", "compare", "certify", "sweep", "explain"];
+    let commands = ["solve", "compare", "certify", "sweep", "find", "explain"];
     let manual = folder.run("manual");
     assert_eq!((manual.code, manual.err.as_str()), (Some(0), ""));
     for command in commands {

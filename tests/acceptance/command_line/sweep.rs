@@ -115,3 +115,44 @@ fn a_sweep_that_leaves_what_has_an_answer_prints_what_there_is() {
     let nothing = folder.run("sweep example.toml --vary foundation.depth --from -2 --to -1 --steps 5");
     assert!(nothing.code == Some(2) && nothing.out.is_empty(), "{}", nothing.err);
 }
+
+/// A force 1 that moves over a beam of length 10 without a foundation: at mid-span `M = a/2` left of it and `(10 − a)/2` right of it, and
+/// `V` is `−a/10` right of the force and `1 − a/10` left of it. Text, CSV and JSON have the same numbers.
+#[test]
+fn influence_lines_are_the_same_in_text_csv_and_json() {
+    let folder = Folder::new("sweep_at");
+    folder
+        .write("line.toml", "[beam]\nlength = 10\nbending_stiffness = 100\n[load]\npoint = [{ at = 2, force = 1 }]\n");
+    let command = "sweep line.toml --vary load.point[0].at --from 2 --to 8 --steps 4 --at 5,2.5 --csv rows.csv";
+    let [text, json] = ["text", "json"].map(|format| {
+        let run = folder.run(&format!("{command} --format {format}"));
+        assert_eq!(run.code, Some(0), "{}", run.err);
+        run.out
+    });
+    let object: serde_json::Value = serde_json::from_str(&json).expect("one object");
+    let csv = folder.read("rows.csv");
+    let mut lines = csv.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let header = lines.next().expect("a header");
+    let first = header.iter().position(|name| *name == "at_1_x").expect("columns of the places");
+    let table = text.split("\nAt x = 5\n").nth(1).expect("a table of the first place");
+    let shown = table.lines().skip(1).map(|line| line.split_whitespace().collect::<Vec<_>>());
+    let rows = object["rows"].as_array().expect("rows");
+    assert_eq!(rows.len(), 4);
+    for ((row, cells), shown) in rows.iter().zip(lines).zip(shown) {
+        let a = row["value"].as_f64().expect("a value");
+        let place = &row["at"][0];
+        let list = ["/x", "/deflection", "/slope", "/moment/0", "/moment/1", "/shear/0", "/shear/1"];
+        let numbers = list.map(|key| place.pointer(key).and_then(serde_json::Value::as_f64).expect("a number"));
+        let of_csv: Vec<f64> = cells[first..first + 7].iter().map(|cell| cell.parse().expect("a number")).collect();
+        assert_eq!(of_csv, numbers, "{a}");
+        let (moment, shear) = if a < 5.0 { (0.5 * a, -0.1 * a) } else { (0.5 * (10.0 - a), 1.0 - 0.1 * a) };
+        for (number, expected) in numbers[3..].iter().zip([moment, moment, shear, shear]) {
+            assert!((number - expected).abs() < 1e-12, "{a}: {numbers:?}");
+        }
+        let of_text: Vec<f64> = shown.iter().map(|cell| cell.parse().expect("a number")).collect();
+        for (shown, number) in of_text.iter().zip(std::iter::once(&a).chain(&numbers[1..])) {
+            assert!((shown - number).abs() <= 1e-5 * number.abs(), "{a}: {of_text:?}");
+        }
+        assert_eq!((of_text.len(), row["at"][1]["x"].as_f64()), (7, Some(2.5)), "{a}");
+    }
+}

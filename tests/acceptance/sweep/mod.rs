@@ -4,6 +4,7 @@ mod derivatives;
 mod envelope;
 mod events;
 mod family;
+mod find;
 mod govern;
 mod rows;
 mod trains;

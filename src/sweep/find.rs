@@ -1,0 +1,261 @@
+//! Inverse questions: for which values of the number varied is something reached?
+//!
+//! What is measured is continuous in the value, but where a load or a support passes the place. It is known at the places of module
+//! `govern`, and stretches in which it may reach its target are divided as there. Where two neighbours are on different sides of the
+//! target, the root between them is searched for to rounding. A target that is only touched, between two values on the same side, is
+//! found as the extreme that it is, if it is smooth: one with a kink is known to a thousand-millionth of the range. A target at which the measure stays, as the stretch from where it comes there to where it leaves. Where
+//! contact begins or ends is an event.
+
+use std::cell::{Cell, RefCell};
+
+use super::events::BESIDE;
+use super::follow::FARTHER;
+use super::govern::{Extreme, Govern, Largest};
+use super::until::{Measure, Measured, Until};
+use super::{Sweep, SweepError, last, root};
+
+/// A measure that changes by more than this share of its size from just below a value to just above it jumps there.
+const JUMP: f64 = 1e-6;
+
+/// A target that is reached to rounding over a shorter share of the range than this is reached for one value: an extreme is flat, and
+/// to 12 digits it is one over a millionth of the range.
+const ONE_VALUE: f64 = 1e-5;
+
+/// A value for which the target is reached.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Found {
+    /// The value.
+    pub value: f64,
+    /// Where the target stays reached for a stretch of values: its other end.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub until: Option<f64>,
+    /// By how much the value may be off ([`Event::uncertainty`](super::Event::uncertainty)); 0 where it is known to rounding.
+    pub uncertainty: f64,
+    /// True if what is measured jumps past the target.
+    pub jumps: bool,
+    /// Just below, if there is an answer.
+    pub below: Option<Beside>,
+    /// Just above, if there is an answer.
+    pub above: Option<Beside>,
+}
+
+/// A value, and what is measured there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[expect(missing_docs, reason = "as said above")]
+pub struct Beside {
+    pub value: f64,
+    pub reached: f64,
+}
+
+/// What a search came to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Finding {
+    /// All values that were found, in the order of the sweep.
+    pub found: Vec<Found>,
+    /// The value that comes nearest to the target, where none reaches it.
+    pub nearest: Option<Beside>,
+    /// False if the work that is allowed did not suffice: there may be more values than were found, or nearer ones.
+    pub is_whole: bool,
+}
+
+/// Where the target is reached: from a value, to another one where it stays reached, with what the value may be off by.
+#[derive(Debug, Clone, Copy)]
+struct Reached {
+    from: f64,
+    to: f64,
+    off: f64,
+}
+
+impl Reached {
+    fn at(value: f64) -> Self {
+        Self { from: value, to: value, off: 0.0 }
+    }
+}
+
+impl Sweep<'_> {
+    /// The values of the range for which something is reached, searched for with so much work at the most ([`Exact::work`]).
+    ///
+    /// # Errors
+    ///
+    /// [`SweepError::Invalid`] if no value has an answer.
+    ///
+    /// [`Exact::work`]: crate::theory::Exact::work
+    pub fn find(&self, until: &Until, work: u64) -> Result<Finding, SweepError> {
+        let left = Cell::new(work);
+        let mut search =
+            Find { sweep: self, until: *until, govern: Govern::of(self, until.measure, &left), left: &left };
+        if search.govern.samples.iter().all(|sample| sample.asked().is_none())
+            && let Err(error) = self.walk().solve(self.range[0])
+        {
+            return Err(error);
+        }
+        search.govern.towards(until.target);
+        let mut reached = match until.measure {
+            Measure::Contact => search.contact(),
+            _ => search.reached(until.target),
+        };
+        let mut nearest = None;
+        if reached.is_empty() {
+            // An extreme may be the target.
+            nearest = search.nearest();
+            reached = search.reached(until.target);
+        }
+        let is_whole = 0 < left.get();
+        left.set(u64::MAX);
+        let found: Vec<Found> = reached.into_iter().map(|reached| search.found(reached)).collect();
+        Ok(Finding { nearest: nearest.filter(|_| found.is_empty()), found, is_whole })
+    }
+}
+
+/// A search along a sweep.
+struct Find<'a> {
+    sweep: &'a Sweep<'a>,
+    until: Until,
+    govern: Govern<'a>,
+    left: &'a Cell<u64>,
+}
+
+impl Find<'_> {
+    /// Values at which contact begins or ends.
+    fn contact(&mut self) -> Vec<Reached> {
+        let known = self.govern.samples.iter().filter(|sample| sample.asked().is_some());
+        let values: Vec<f64> = known.map(|sample| sample.value).collect();
+        let ends = [values.first(), values.last()].into_iter().flatten();
+        let kind = |value: &f64| Some((*value, self.sweep.answer(*value, &[]).ok()?.1.pattern()));
+        let (changes, is_whole) =
+            self.sweep.changes_of_contact(&ends.filter_map(kind).collect::<Vec<_>>(), self.left.get());
+        if !is_whole {
+            self.left.set(0);
+        }
+        changes.into_iter().map(|(value, off)| Reached { off, ..Reached::at(value) }).collect()
+    }
+
+    /// Where a target is reached, by the samples that there are.
+    fn reached(&mut self, target: f64) -> Vec<Reached> {
+        let [start, end] = self.sweep.range;
+        let one = ONE_VALUE * (end - start).abs();
+        let sides: Vec<(f64, Option<f64>)> =
+            self.govern.samples.iter().map(|sample| (sample.value, sample.side(target))).collect();
+        let runs: Vec<&[(f64, Option<f64>)]> = sides.chunk_by(|a, b| a.1 == b.1).collect();
+        let mut all = Vec::new();
+        for (i, run) in runs.iter().enumerate() {
+            let ([(from, Some(side)), ..], [.., (to, _)]) = (run, run) else { continue };
+            let (from, side, to) = (*from, *side, *to);
+            let before =
+                i.checked_sub(1).and_then(|i| runs[i].last()).and_then(|(value, side)| Some((*value, (*side)?)));
+            let beyond = runs.get(i + 1).and_then(|run| run[0].1.map(|side| (run[0].0, side)));
+            if side != 0.0 {
+                // Between two sides.
+                if let Some((next, _)) = beyond.filter(|(_, other)| side * other < 0.0) {
+                    all.extend(self.crossing(target, to, next));
+                }
+                continue;
+            }
+            if one < (to - from).abs() {
+                let [from, to] =
+                    [(from, before), (to, beyond)].map(|(value, other)| self.end_of_stretch(target, value, other));
+                all.push(Reached { from, to, off: 0.0 });
+                continue;
+            }
+            match (before, beyond) {
+                (Some((a, side)), Some((b, other))) if side * other < 0.0 => all.extend(self.crossing(target, a, b)),
+                _ => all.push(Reached::at(0.5 * (from + to))),
+            }
+        }
+        all
+    }
+
+    /// What is measured at a value.
+    fn at(&mut self, value: f64) -> Option<Measured> {
+        self.govern.solved(value)?.asked()
+    }
+
+    /// The root between two values on different sides.
+    fn crossing(&mut self, target: f64, a: f64, b: f64) -> Option<Reached> {
+        let (sweep, left) = (self.sweep, self.left);
+        let [at_a, at_b] = [a, b].map(|value| self.at(value).map(|measured| measured.number - target));
+        let (at_a, at_b) = (at_a?, at_b?);
+        let sign = at_a.signum();
+        let is_done = |a, b| left.get() == 0 || sweep.is_narrow(a, b);
+        let of = |value| Some(sign * (self.at(value)?.number - target));
+        let value = root::root((a, Some(sign * at_a)), (b, sign * at_b), is_done, of);
+        (0 < left.get()).then(|| Reached::at(value))
+    }
+
+    /// Where a stretch in which the target is reached ends, between a value inside and one beyond it, if there is one: where the line
+    /// meets the target that leads to it from beyond, if that is the same to the rounding of the measure.
+    fn end_of_stretch(&mut self, target: f64, inside: f64, beyond: Option<(f64, f64)>) -> f64 {
+        /// The line goes through two values at this share of the range, and at twice that, from the end.
+        const APART: f64 = 1e-7;
+        let Some((beyond, _)) = beyond else { return inside };
+        let sweep = self.sweep;
+        let this = RefCell::new(&mut *self);
+        let has = |value, (): &()| {
+            let measured = this.borrow_mut().at(value)?;
+            (measured.side(target) == 0.0).then_some(())
+        };
+        let end = last((inside, ()), beyond, u32::MAX, |a, b| sweep.is_narrow(a, b), has).0;
+        let [from, to] = sweep.range;
+        let step = APART * (to - from).abs() * (beyond - end).signum();
+        let [near, far] = [end + step, end + 2.0 * step].map(|value| self.at(value));
+        let Some((near, far)) = near.zip(far) else { return end };
+        let slope = (far.number - near.number) / step;
+        let meets = end + step - (near.number - target) / slope;
+        if (slope * (meets - end)).abs() <= 2.0 * near.rounding(target) { meets } else { end }
+    }
+
+    /// The value that comes nearest to the target.
+    fn nearest(&mut self) -> Option<Beside> {
+        let target = self.until.target;
+        let known = |side: f64| self.govern.samples.iter().any(|sample| sample.side(target) == Some(side));
+        let sign = match [known(-1.0), known(1.0)] {
+            [true, false] => 1.0,
+            [false, true] => -1.0,
+            _ => {
+                let samples = self.govern.samples.iter();
+                let all =
+                    samples.filter_map(|sample| Some(Beside { value: sample.value, reached: sample.asked()?.number }));
+                return all.min_by(|a, b| (a.reached - target).abs().total_cmp(&(b.reached - target).abs()));
+            }
+        };
+        let Largest { size, value, .. } = self.govern.largest(Extreme::Asked { sign })?;
+        // Where it comes there first: rounding decides which value of a stretch is the largest.
+        let value = self.reached(sign * size).first().map_or(value, |reached| reached.from);
+        Some(Beside { value, reached: self.at(value)?.number })
+    }
+
+    /// A value that reaches the target, with the values beside it.
+    fn found(&mut self, Reached { from, to, off }: Reached) -> Found {
+        let [below, above] = [from.min(to), from.max(to)];
+        let [below, above] = [(below, -1.0), (above, 1.0)].map(|(value, way)| self.beside(value, way));
+        let size = self.at(from).map_or(0.0, |measured| measured.size.max(self.until.target.abs()));
+        let stays = from.total_cmp(&to).is_ne();
+        let changes = |(below, above): (&(Beside, f64), &(Beside, f64))| {
+            let is_nearest = [below, above].iter().all(|(_, farther)| *farther <= FARTHER[0]);
+            is_nearest && JUMP * size < (above.0.reached - below.0.reached).abs()
+        };
+        let crosses = !matches!(self.until.measure, Measure::Contact) && !stays;
+        let jumps = crosses && below.as_ref().zip(above.as_ref()).is_some_and(changes);
+        let [below, above] = [below, above].map(|beside| beside.map(|(beside, _)| beside));
+        Found { value: from, until: stays.then_some(to), uncertainty: off, jumps, below, above }
+    }
+
+    /// The nearest value on one side that is known to be on one side of the target, with how far from it that is; the nearest one with an
+    /// answer where none is.
+    fn beside(&mut self, value: f64, way: f64) -> Option<(Beside, f64)> {
+        let [start, end] = self.sweep.range;
+        let mut nearest = None;
+        for farther in FARTHER {
+            let value = value + way * farther * BESIDE * (end - start).abs();
+            let Some(measured) = self.at(value) else { continue };
+            let found = (Beside { value, reached: measured.number }, farther);
+            if measured.side(self.until.target) != 0.0 {
+                return Some(found);
+            }
+            nearest.get_or_insert(found);
+        }
+        nearest
+    }
+}

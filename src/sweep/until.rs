@@ -1,0 +1,195 @@
+//! What a search along a sweep looks for: `deflection(4.0) = 0.0095`, or `contact`.
+
+use std::fmt;
+
+use crate::scene::{Scene, shown};
+use crate::theory::Exact;
+
+/// A number that each answer of a sweep has.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Measure {
+    /// `v(x)`, positive downwards \[length\].
+    Deflection(f64),
+    /// `M(x)`, just right of `x` where it has two values \[force · length\].
+    Moment(f64),
+    /// `V(x) = M'(x)`, just right of `x` where it has two values \[force\].
+    Shear(f64),
+    /// `h(x)` \[length\].
+    Clearance(f64),
+    /// The reaction of this support, counted from 0 on from left to right, positive upwards on the beam \[force\].
+    Support(usize),
+    /// The total contact force where the beam touches the foundation \[force\]; where it does not, minus the least clearance \[length\]:
+    /// zero where contact begins or ends.
+    Contact,
+}
+
+/// A measure and the number that it is to be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Until {
+    /// What is measured.
+    pub measure: Measure,
+    /// What it is to be; 0 for [`Measure::Contact`].
+    pub target: f64,
+}
+
+/// Why a text is nothing that can be looked for.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum UntilError {
+    /// It has none of the forms.
+    #[error(
+        "`{0}` is not a condition. The forms are `contact`, where contact with the foundation begins or ends, and `QUANTITY = NUMBER` \
+         with one of the quantities deflection(x), moment(x), shear(x), clearance(x), and support[i] for a reaction"
+    )]
+    Form(String),
+    /// The number is none.
+    #[error("the right-hand side of `{text}` must be a finite number, but is `{number}`")]
+    Number {
+        /// The whole text.
+        text: String,
+        /// What stands for the number.
+        number: String,
+    },
+    /// A position beyond the beam.
+    #[error("the position in `{measure}` must lie on the beam, between 0 and {}", shown(*length))]
+    Place {
+        /// With the position.
+        measure: Measure,
+        /// Of the beam.
+        length: f64,
+    },
+    /// A support that is not there.
+    #[error(
+        "`{measure}` must be one of the {count} supports of the beam, which are counted from 0 on from left to right"
+    )]
+    Support {
+        /// With the number of the support.
+        measure: Measure,
+        /// How many supports there are.
+        count: usize,
+    },
+    /// There is nothing to touch.
+    #[error("`{0}` needs a foundation, and the scene has none")]
+    NoFoundation(Measure),
+}
+
+impl fmt::Display for Measure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Deflection(x) => write!(f, "deflection({x})"),
+            Self::Moment(x) => write!(f, "moment({x})"),
+            Self::Shear(x) => write!(f, "shear({x})"),
+            Self::Clearance(x) => write!(f, "clearance({x})"),
+            Self::Support(index) => write!(f, "support[{index}]"),
+            Self::Contact => f.write_str("contact"),
+        }
+    }
+}
+
+impl fmt::Display for Until {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.measure {
+            Measure::Contact => self.measure.fmt(f),
+            measure => write!(f, "{measure} = {}", self.target),
+        }
+    }
+}
+
+impl Until {
+    /// Reads `contact` or `QUANTITY = NUMBER` for the beam of a scene.
+    ///
+    /// # Errors
+    ///
+    /// [`UntilError`].
+    pub fn parse(text: &str, scene: &Scene) -> Result<Self, UntilError> {
+        let form = || UntilError::Form(text.to_owned());
+        let until = if text.trim() == "contact" {
+            Self { measure: Measure::Contact, target: 0.0 }
+        } else {
+            let (measure, number) = text.split_once('=').ok_or_else(form)?;
+            let measure = Measure::parse(measure.trim()).ok_or_else(form)?;
+            let number = number.trim();
+            let target = number.parse().ok().filter(|target: &f64| target.is_finite());
+            let wrong = || UntilError::Number { text: text.to_owned(), number: number.to_owned() };
+            Self { measure, target: target.ok_or_else(wrong)? }
+        };
+        until.measure.fits(scene)?;
+        Ok(until)
+    }
+}
+
+/// A number that is measured, and what its rounding is compared with: the largest number of its kind in the same answer.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Measured {
+    pub(super) number: f64,
+    pub(super) size: f64,
+}
+
+impl Measured {
+    /// Answers meet their conditions to 12 digits.
+    const DIGITS: f64 = 1e-12;
+
+    /// Above a target, 1; below it, −1; 0 where it is reached to rounding.
+    pub(super) fn side(self, target: f64) -> f64 {
+        let off = self.number - target;
+        if off.abs() <= self.rounding(target) { 0.0 } else { off.signum() }
+    }
+
+    /// By how much it may be off beside a target.
+    pub(super) fn rounding(self, target: f64) -> f64 {
+        Self::DIGITS * self.size.max(target.abs())
+    }
+}
+
+impl Measure {
+    fn parse(text: &str) -> Option<Self> {
+        if let Some(index) = text.strip_prefix("support[").and_then(|rest| rest.strip_suffix(']')) {
+            return index.trim().parse().ok().map(Self::Support);
+        }
+        let (name, x) = text.strip_suffix(')')?.split_once('(')?;
+        let x: f64 = x.trim().parse().ok()?;
+        match name.trim_end() {
+            "deflection" => Some(Self::Deflection(x)),
+            "moment" => Some(Self::Moment(x)),
+            "shear" => Some(Self::Shear(x)),
+            "clearance" => Some(Self::Clearance(x)),
+            _ => None,
+        }
+    }
+
+    /// Whether the beam of a scene has it.
+    fn fits(self, scene: &Scene) -> Result<(), UntilError> {
+        let (length, supports) = (scene.beam().length(), scene.beam().all_supports());
+        let bearing = |x: f64| supports.iter().any(|support| support.pushes_only && support.at.total_cmp(&x).is_eq());
+        match self {
+            Self::Deflection(x) | Self::Moment(x) | Self::Shear(x) | Self::Clearance(x)
+                if !(0.0..=length).contains(&x) =>
+            {
+                Err(UntilError::Place { measure: self, length })
+            }
+            Self::Support(index) if supports.len() <= index => {
+                Err(UntilError::Support { measure: self, count: supports.len() })
+            }
+            Self::Clearance(x) if scene.foundation().is_none() && !bearing(x) => Err(UntilError::NoFoundation(self)),
+            Self::Contact if scene.foundation().is_none() => Err(UntilError::NoFoundation(self)),
+            _ => Ok(()),
+        }
+    }
+
+    /// What it is in an answer of a beam of this length, if that is a number.
+    pub(super) fn of(self, exact: &Exact, length: f64) -> Option<Measured> {
+        let state = &exact.state;
+        let deflection = state.deflection.max.abs().max(state.deflection.min.abs());
+        let forces = state.supports.iter().map(|support| support.force.abs());
+        let force = forces.fold(state.contact_force().abs(), f64::max);
+        let (number, size) = match self {
+            Self::Deflection(x) => (exact.deflection(x), deflection),
+            Self::Moment(x) => (exact.moment(x), state.moment.max.abs().max(state.moment.min.abs())),
+            Self::Shear(x) => (exact.shear(x)[1], force),
+            Self::Clearance(x) => (exact.clearance(x), deflection),
+            Self::Support(index) => (state.supports.get(index)?.force, force),
+            Self::Contact if state.contacts.is_empty() => (-exact.clearance_extremes(0.0, length).min, deflection),
+            Self::Contact => (state.contact_force(), force),
+        };
+        number.is_finite().then_some(Measured { number, size })
+    }
+}
