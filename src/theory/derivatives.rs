@@ -9,6 +9,7 @@
 
 use super::asked::Asked;
 use super::exact::Exact;
+use super::leeway::Leeway;
 use super::list::Node;
 use super::sensitivity::{Change, NodeChange, Sensitivity, standing};
 use super::springs::Springs;
@@ -107,7 +108,19 @@ impl Exact {
             return self.derivatives_on_springs(springs, scene, asked);
         }
         let Some(linear) = self.sensitivity() else { return Vec::new() };
-        asked.into_iter().map(|asked| self.derivative(&linear, asked, asked.sides(scene, self))).collect()
+        let leeway = Leeway::of(self, scene);
+        // What touches without a load may as well not.
+        let lies = self.lies_without_load();
+        let of = |asked: Asked| {
+            let changes = linear.on_both_sides(asked.change);
+            let holds = match &leeway {
+                _ if lies || asked.moves_at_zone(self) => [false; 2],
+                Some(leeway) if asked.goes_on(leeway, &changes) => [true; 2],
+                _ => asked.sides(scene, self),
+            };
+            self.derivative(asked, &changes, holds)
+        };
+        asked.into_iter().map(of).collect()
     }
 
     /// How many derivatives are left out of [`Self::derivatives`] for there are too many numbers in all.
@@ -131,18 +144,18 @@ impl Exact {
     }
 
     /// The derivative that is asked for; `holds` says on which sides of the scene the contacts are the same.
-    pub(super) fn derivative(&self, linear: &Sensitivity<'_>, asked: Asked, holds: [bool; 2]) -> Derivative {
+    pub(super) fn derivative(&self, asked: Asked, sides: &[Vec<NodeChange>; 2], holds: [bool; 2]) -> Derivative {
         let Asked { by, unit, .. } = asked;
         let nodes = &self.list.nodes;
-        let (of, towards) = if holds == [true, false] { (asked.change[0], -1.0) } else { (asked.change[1], 1.0) };
-        let changes = linear.change(of, towards);
+        let side = usize::from(holds != [true, false]);
+        let (of, towards, changes) = (asked.change[side], [-1.0, 1.0][side], &sides[side]);
         // The same contacts may go on in another way: a load that stands at the end of a zone comes into it, or leaves it.
-        let one_sided = holds != [true; 2] || changes != linear.change(asked.change[0], -1.0);
+        let one_sided = holds != [true; 2] || sides[0] != sides[1];
         let scaled = Scaled { exact: self, of, unit, towards };
         let (mut supports, mut contacts) = (Vec::new(), Vec::new());
         for i in 0..=nodes.len() {
             if self.list.in_zone_before(i) {
-                contacts.push(scaled.zone(&changes, i));
+                contacts.push(scaled.zone(changes, i));
             }
             let Some(node) = nodes.get(i) else { continue };
             if node.is_ground(&self.given) {
@@ -158,12 +171,12 @@ impl Exact {
         }
         // The beam stays clear of a support that it has lifted off.
         let lifted = self.given.bearings.iter().map(|&at| self.given.breakpoints[at].x);
-        let lifted = lifted.filter(|at| nodes.iter().all(|node| node.x.total_cmp(at).is_ne()));
+        let lifted = lifted.filter(|at| nodes.binary_search_by(|node| node.x.total_cmp(at)).is_err());
         supports.extend(lifted.map(|at| (at, 0.0)));
         supports.sort_by(|a, b| a.0.total_cmp(&b.0));
         let supports = supports.into_iter().map(|(_, force)| force).collect();
         let contacts = self.of_pressing(&contacts);
-        let energy = self.energy_by(of, &changes) * self.stiffness * self.scale.energy() / unit + 0.0;
+        let energy = self.energy_by(of, changes) * self.stiffness * self.scale.energy() / unit + 0.0;
         let is_known = contacts.iter().all(|contact| contact.from.is_finite() && contact.to.is_finite());
         let there = Derivative {
             by,
