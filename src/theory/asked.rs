@@ -88,11 +88,11 @@ impl Exact {
         // Beyond a few supports a beam is not felt: what means something is what does so between two of them.
         let (scale, length) = (&self.scale, longest_stretch(scene.beam()));
         let forces = self.state.supports.iter().map(|support| support.force.abs());
-        let part = length / scene.beam().length();
-        let load = self.given.total_load * self.stiffness * scale.force * part;
+        let load = self.given.total_load * self.stiffness * scale.force * (length / scene.beam().length());
         let force = forces.chain([self.state.contact_force()]).fold(load, f64::max);
         // At least what the loads do to a beam at rest.
-        let at_rest = force / scale.force * scale.depth / 384.0 * (length / scale.length).powi(3);
+        let part = length / scale.length;
+        let at_rest = force / scale.force * scale.depth / 384.0 * (part * part * part);
         let depth = self.state.deflection.magnitude().max(at_rest);
         let asked = |by, change, unit, size: f64| Asked { by, change: [change; 2], unit, least: NOTHING * size };
         let number = |quantity, change, unit, size| asked(By::Number(quantity), change, unit, size);

@@ -19,6 +19,7 @@ use super::list::List;
 use super::overhang::Overhang;
 use super::piecewise::PiecewiseScene;
 use super::span::{Span, fixed_end_of_load};
+use super::tridiagonal::{factored, solved};
 
 /// What changes, dimensionless and over `EI`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -159,6 +160,8 @@ pub(super) struct Sensitivity<'a> {
     beside: Vec<[Option<&'a Span>; 2]>,
     /// The load that stands on each node.
     standing: Vec<f64>,
+    /// The support that each node is, those that only push counted after the others.
+    pub(super) supports: Vec<Option<usize>>,
     /// Per row: what it takes of the row before, the pivot, and the entry to the right of it.
     factors: Vec<[f64; 3]>,
 }
@@ -174,7 +177,8 @@ impl<'a> Sensitivity<'a> {
         let nodes = 0..list.nodes.len();
         let beside = nodes.clone().map(|i| ends(spans, i)).collect();
         let standing = nodes.clone().map(|i| standing(given, list, i)).collect();
-        let mut all = Self { given, list, spans, forces, beside, standing, factors: Vec::new() };
+        let supports = list.nodes.iter().map(|node| node.any_support(given)).collect();
+        let mut all = Self { given, list, spans, forces, beside, standing, supports, factors: Vec::new() };
         // Rows: w''(−) − w''(+) + jump = 0 for each node that may turn.
         let asks = nodes.map(|i| all.ask(Change::NOTHING, i));
         let free: Vec<Option<f64>> = asks.map(|ask| ask.slopes.is_none().then_some(ask.jump[1])).collect();
@@ -227,7 +231,7 @@ impl<'a> Sensitivity<'a> {
                 _ if node.ends_zone() => {
                     end_of_zone(beside[i].bend[1], on_right.map_or(f64::NAN, |span| span.at_a[3]), -1.0)
                 }
-                _ if matches!(of, Change::Support(moved, _) if node.any_support(given) == Some(moved)) => 1.0,
+                _ if matches!(of, Change::Support(moved, _) if self.supports[i] == Some(moved)) => 1.0,
                 _ => 0.0,
             };
             // The load stays where it is when the node moves, and so does an edge of it: what moves is the pressure of a zone.
@@ -273,8 +277,9 @@ impl<'a> Sensitivity<'a> {
             }
             _ => (0.0, None),
         };
-        let Some(index) = node.support(given) else {
-            let bearing = node.any_support(given);
+        let holding = self.supports[i].filter(|&index| index < given.supports.len());
+        let Some(index) = holding else {
+            let bearing = self.supports[i];
             return match bearing.map(moves) {
                 _ if !node.is_edge(given) => fixed(ground),
                 None => Ask { value: ground, slopes: None, jump: [-turned, 0.0] },
@@ -374,32 +379,4 @@ pub(super) fn ends(spans: &[(usize, Span)], i: usize) -> [Option<&Span>; 2] {
 /// `h''` at a smooth point, the same in the spans on both sides.
 fn bend([left, right]: [Option<&Span>; 2]) -> f64 {
     right.map(|span| span.at_a[2]).or(left.map(|span| span.at_b[2])).unwrap_or(f64::NAN)
-}
-
-/// Eliminates rows of `[left, middle, right]`: what each takes of the row before, its pivot, and what is to the right of it.
-fn factored(mut rows: Vec<[f64; 3]>) -> Option<Vec<[f64; 3]>> {
-    for i in 0..rows.len() {
-        let [_, pivot, upper] = rows[i];
-        if pivot == 0.0 || !pivot.is_finite() {
-            return None;
-        }
-        if let Some(next) = rows.get_mut(i + 1) {
-            next[0] /= pivot;
-            next[1] -= next[0] * upper;
-        }
-    }
-    Some(rows)
-}
-
-/// The unknowns whose sum with the constants is zero.
-fn solved(factors: &[[f64; 3]], mut constants: Vec<f64>) -> Vec<f64> {
-    for i in 1..constants.len() {
-        constants[i] -= factors[i][0] * constants[i - 1];
-    }
-    let mut beyond = 0.0;
-    for (constant, [_, pivot, upper]) in constants.iter_mut().zip(factors).rev() {
-        *constant = -(*constant + upper * beyond) / pivot;
-        beyond = *constant;
-    }
-    constants
 }
