@@ -99,7 +99,7 @@ const MOST_NUMBERS: usize = 20_000_000;
 
 /// Pieces that answers beside this one have together at most. *Tuned*: on 1,900 point loads, of which each has a piece, 7,600 answers take
 /// seven seconds.
-const MOST_PIECES: usize = 20_000_000;
+const MOST_PIECES: usize = 16_000_000;
 
 /// A node takes as much as so many pieces. *Tuned* on 3,001 supports, where an answer takes ten times as long as on 1,900 point loads.
 const OF_A_NODE: usize = 6;
