@@ -22,7 +22,7 @@ pub(super) struct Local {
     /// By the paths of the numbers, or `depth` for all of the ground.
     #[serde(skip_serializing_if = "Option::is_none")]
     derivatives: Option<BTreeMap<String, DerivativeObject>>,
-    /// Of how many numbers of the scene there are none, as there are too many.
+    /// Of how many numbers of the scene there are none, as they would be too many, or take too long.
     #[serde(skip_serializing_if = "Option::is_none")]
     derivatives_left_out: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -64,8 +64,10 @@ impl Local {
         let exact = answer.solution.exact.as_deref();
         let supports = &answer.solution.state.supports;
         let length = scene.beam().length();
-        let derivatives = exact.filter(|_| arguments.derivatives).map(|exact| {
-            let all = exact.derivatives(scene).into_iter();
+        let found = exact.filter(|_| arguments.derivatives).map(|exact| exact.derivatives_and_left_out(scene));
+        let left_out = found.as_ref().map(|(_, left_out)| *left_out).filter(|&count| 0 < count);
+        let derivatives = found.map(|(all, _)| {
+            let all = all.into_iter();
             all.map(|derivative| (derivative.by.to_string(), object(derivative, supports, length))).collect()
         });
         let known = exact.zip(arguments.depth_tolerance).map(|(exact, tolerance)| {
@@ -73,8 +75,7 @@ impl Local {
                 DepthTolerance::of(scene, exact, tolerance);
             ToleranceObject { tolerance, guaranteed: GuaranteedObject { energy, contact }, estimates, left_out }
         });
-        let left_out = exact.filter(|_| arguments.derivatives).map(|exact| exact.derivatives_left_out(scene));
-        Self { derivatives, derivatives_left_out: left_out.filter(|&count| 0 < count), depth_tolerance: known }
+        Self { derivatives, derivatives_left_out: left_out, depth_tolerance: known }
     }
 
     /// Tables for a person.
@@ -145,7 +146,9 @@ fn table_of(derivatives: &BTreeMap<String, DerivativeObject>, left_out: Option<u
         text += &first(what, there, shown);
     }
     if let Some(count) = left_out {
-        text += &format!("Left out are derivatives by {count} numbers of the scene: there would be too many.\n");
+        text += &format!(
+            "Left out are derivatives by {count} numbers of the scene: they would be too many, or take too long.\n"
+        );
     }
     text
 }

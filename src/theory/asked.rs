@@ -2,11 +2,16 @@
 
 use super::derivatives::By;
 use super::exact::Exact;
-use super::sensitivity::Change;
-use crate::scene::{Foundation, Quantity, Scene, Support};
+use super::leeway::Leeway;
+use super::sensitivity::{Change, NodeChange};
+use crate::scene::{Beam, Foundation, Quantity, Scene, Support};
 
 /// A share of the size of a number of the scene that means nothing: none is known to seven digits, and conditions are met to twelve.
 pub(super) const NOTHING: f64 = 1e-7;
+
+/// Forces and places of answers that are next to each other differ by no more than this share of the largest, or of the length: after a
+/// change by [`NOTHING`] what jumps changes by more, and so does what grows like the root of the change.
+const NEAR: f64 = 1e-4;
 
 /// A derivative to be computed.
 #[derive(Debug, Clone, Copy)]
@@ -21,18 +26,25 @@ pub(super) struct Asked {
 
 impl Asked {
     /// On which sides of a scene, as the number falls and as it grows, its answer goes on: there is one with the same contacts, and it is
-    /// next to this one.
-    #[expect(clippy::float_cmp, reason = "a node at a load is exactly there")]
+    /// next to this one. Asked of second answers.
     pub(super) fn sides(&self, scene: &Scene, exact: &Exact) -> [bool; 2] {
-        // A load that stands where a zone ends comes into the zone or leaves it, and what touches without a load may as well not.
-        let moves = |x: f64| matches!(self.change[0], Change::Move(at, _) if at == x);
-        if exact.list.zones().any(|zone| moves(zone.from) || moves(zone.to)) || exact.lies_without_load() {
-            return [false; 2];
-        }
         self.beside(scene).map(|beside| {
             let there = beside.and_then(|beside| exact.goes_on_in(&beside));
             there.is_some_and(|there| is_next_to(exact, &there, scene.beam().length()))
         })
+    }
+
+    /// True if a load stands where a zone ends: it comes into the zone or leaves it.
+    #[expect(clippy::float_cmp, reason = "a node at a load is exactly there")]
+    pub(super) fn moves_at_zone(&self, exact: &Exact) -> bool {
+        let moves = |x: f64| matches!(self.change[0], Change::Move(at, _) if at == x);
+        exact.list.zones().any(|zone| moves(zone.from) || moves(zone.to))
+    }
+
+    /// True if its answer is sure to go on on both sides, whose changes of the nodes these are.
+    pub(super) fn goes_on(&self, leeway: &Leeway<'_>, changes: &[Vec<NodeChange>; 2]) -> bool {
+        let step = self.least / self.unit;
+        self.change.iter().zip(changes).all(|(of, changes)| leeway.holds(*of, changes, step, NEAR))
     }
 
     /// The scene beside this one, on either side, if there is one.
@@ -46,8 +58,6 @@ impl Asked {
 
 /// Whether two answers have contacts and supports of the same kinds, with nearly the same forces at nearly the same places.
 fn is_next_to(exact: &Exact, other: &Exact, length: f64) -> bool {
-    /// After a change by [`NOTHING`]: what jumps changes by more, and so does what grows like the root of the change.
-    const NEAR: f64 = 1e-4;
     let kinds = |exact: &Exact| -> Vec<bool> {
         let supports = exact.state.supports.iter().map(|support| support.pushes_only && support.force <= 0.0);
         exact.listed.iter().map(|contact| contact.end_forces.is_some()).chain(supports).collect()
@@ -64,15 +74,26 @@ fn is_next_to(exact: &Exact, other: &Exact, length: f64) -> bool {
         && near(places(exact), places(other), length)
 }
 
+/// The longest stretch of a beam between two places where a support or an end of it is \[length\].
+fn longest_stretch(beam: &Beam) -> f64 {
+    let mut places: Vec<f64> = beam.all_supports().iter().map(|support| support.at).collect();
+    places.extend([0.0, beam.length()]);
+    places.sort_by(f64::total_cmp);
+    places.windows(2).fold(0.0, |most, pair| most.max(pair[1] - pair[0]))
+}
+
 impl Exact {
     /// All derivatives that are asked for, in their order.
     pub(super) fn asked(&self, scene: &Scene) -> Vec<Asked> {
-        let (scale, length) = (&self.scale, scene.beam().length());
+        // Beyond a few supports a beam is not felt: what means something is what does so between two of them.
+        let (scale, length) = (&self.scale, longest_stretch(scene.beam()));
         let forces = self.state.supports.iter().map(|support| support.force.abs());
-        let load = self.given.total_load * self.stiffness * scale.force;
+        let load = self.given.total_load * self.stiffness * scale.force * (length / scene.beam().length());
         let force = forces.chain([self.state.contact_force()]).fold(load, f64::max);
         // At least what the loads do to a beam at rest.
-        let depth = self.state.deflection.magnitude().max(force / scale.force * scale.depth / 384.0);
+        let part = length / scale.length;
+        let at_rest = force / scale.force * scale.depth / 384.0 * (part * part * part);
+        let depth = self.state.deflection.magnitude().max(at_rest);
         let asked = |by, change, unit, size: f64| Asked { by, change: [change; 2], unit, least: NOTHING * size };
         let number = |quantity, change, unit, size| asked(By::Number(quantity), change, unit, size);
         let mut all = Vec::new();

@@ -14,7 +14,7 @@
 //!    `close` looks once more at a list that passes; `neutral` has the beams that rest on one place and may turn there.
 //! 6. `solve`, `exact`, `summary`, `touching`, `free_spans`: the answer in the units of the scene, where it lies without pressing, and where it is free; `room`: whether there is memory for it.
 //! 7. `continuation`, `pattern`, `margin`: from the answer of one scene to that of a scene beside it, and when its pattern changes.
-//! 8. `sensitivity`, `asked`, `derivatives`, `changes`, `conditions`, `spread`: derivatives by the numbers of the scene, and where they are
+//! 8. `sensitivity`, `tridiagonal`, `asked`, `derivatives`, `changes`, `leeway`, `spread`: derivatives by the numbers of the scene, and where they are
 //!    one-sided; `missing`: why one is not there.
 //! 9. `springs`: ground that gives, which needs no list.
 //!
@@ -38,6 +38,7 @@ mod forces;
 mod free_spans;
 pub(crate) mod gauss;
 mod guess;
+mod leeway;
 mod list;
 mod margin;
 mod neutral;
@@ -61,6 +62,7 @@ mod springs;
 mod summary;
 mod tension;
 mod touching;
+mod tridiagonal;
 mod violation;
 mod way;
 

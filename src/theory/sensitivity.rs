@@ -19,6 +19,7 @@ use super::list::List;
 use super::overhang::Overhang;
 use super::piecewise::PiecewiseScene;
 use super::span::{Span, fixed_end_of_load};
+use super::tridiagonal::{factored, solved};
 
 /// What changes, dimensionless and over `EI`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -155,6 +156,12 @@ pub(super) struct Sensitivity<'a> {
     list: &'a List,
     spans: &'a [(usize, Span)],
     forces: &'a [f64],
+    /// The spans to the left and to the right of each node.
+    beside: Vec<[Option<&'a Span>; 2]>,
+    /// The load that stands on each node.
+    standing: Vec<f64>,
+    /// The support that each node is, those that only push counted after the others.
+    pub(super) supports: Vec<Option<usize>>,
     /// Per row: what it takes of the row before, the pivot, and the entry to the right of it.
     factors: Vec<[f64; 3]>,
 }
@@ -167,8 +174,13 @@ impl<'a> Sensitivity<'a> {
         spans: &'a [(usize, Span)],
         forces: &'a [f64],
     ) -> Option<Self> {
+        let nodes = 0..list.nodes.len();
+        let beside = nodes.clone().map(|i| ends(spans, i)).collect();
+        let standing = nodes.clone().map(|i| standing(given, list, i)).collect();
+        let supports = list.nodes.iter().map(|node| node.any_support(given)).collect();
+        let mut all = Self { given, list, spans, forces, beside, standing, supports, factors: Vec::new() };
         // Rows: w''(−) − w''(+) + jump = 0 for each node that may turn.
-        let asks = (0..list.nodes.len()).map(|i| ask(given, list, spans, forces, Change::NOTHING, i));
+        let asks = nodes.map(|i| all.ask(Change::NOTHING, i));
         let free: Vec<Option<f64>> = asks.map(|ask| ask.slopes.is_none().then_some(ask.jump[1])).collect();
         let mut rows: Vec<[f64; 3]> = free.iter().map(|free| [0.0, free.unwrap_or(1.0), 0.0]).collect();
         for (right, span) in spans.iter().filter(|(_, span)| !span.is_overhang()) {
@@ -183,48 +195,112 @@ impl<'a> Sensitivity<'a> {
                 rows[right][0] += beside(left);
             }
         }
-        Some(Self { given, list, spans, forces, factors: factored(rows)? })
+        all.factors = factored(rows)?;
+        Some(all)
+    }
+
+    /// What a number does to the nodes as it falls and as it grows.
+    pub(super) fn on_both_sides(&self, [falls, grows]: [Change; 2]) -> [Vec<NodeChange>; 2] {
+        let grown = self.change(grows, 1.0);
+        // The side counts where a zone ends.
+        let is_one = falls == grows && self.list.zones().next().is_none();
+        [if is_one { grown.clone() } else { self.change(falls, -1.0) }, grown]
     }
 
     /// What one change does to the nodes, per unit of its number: as that grows where `towards` is 1, as it falls where it is −1.
-    pub(super) fn change(&self, of: Change, towards: f64) -> Vec<NodeChange> {
-        let &Self { given, list, spans, forces, .. } = self;
+    fn change(&self, of: Change, towards: f64) -> Vec<NodeChange> {
+        let &Self { given, list, .. } = self;
         let n = list.nodes.len();
-        let asks: Vec<Ask> = (0..n).map(|i| ask(given, list, spans, forces, of, i)).collect();
+        let asks: Vec<Ask> = (0..n).map(|i| self.ask(of, i)).collect();
         let slopes = self.slopes(of, &asks);
-        let beside = self.beside(of, &asks, &slopes);
+        let beside = self.changed_ends(of, &asks, &slopes);
         let changes = (0..n).map(|i| {
             let node = &list.nodes[i];
-            let [on_left, on_right] = ends(spans, i);
-            let load = standing(given, list, i);
+            let [on_left, on_right] = self.beside[i];
+            let load = self.standing[i];
             // A load that stands at the end of a zone comes into the span where that end moves inwards.
             let end_of_zone = |bend: f64, third: f64, inwards: f64| {
                 let place = bend / third;
                 if 0.0 < inwards * towards * place { bend / (third - inwards * load) } else { place }
             };
             let place = match node {
-                _ if node.is_smooth() => slopes[i][0] / bend(spans, i),
+                _ if node.is_smooth() => slopes[i][0] / bend(self.beside[i]),
                 _ if node.starts_zone() => {
                     end_of_zone(beside[i].bend[0], on_left.map_or(f64::NAN, |span| span.at_b[3]), 1.0)
                 }
                 _ if node.ends_zone() => {
                     end_of_zone(beside[i].bend[1], on_right.map_or(f64::NAN, |span| span.at_a[3]), -1.0)
                 }
-                _ if matches!(of, Change::Support(moved, _) if node.any_support(given) == Some(moved)) => 1.0,
+                _ if matches!(of, Change::Support(moved, _) if self.supports[i] == Some(moved)) => 1.0,
                 _ => 0.0,
             };
             // The load stays where it is when the node moves, and so does an edge of it: what moves is the pressure of a zone.
-            let pushed = |in_zone: bool, cell: usize| {
-                if in_zone { given.drive(given.cell_ahead(node.x, cell, towards * place), node.x) } else { 0.0 }
+            let pushed = |in_zone: bool, cell: fn(&PiecewiseScene, f64) -> usize| match in_zone {
+                true => given.drive(given.cell_ahead(node.x, cell(given, node.x), towards * place), node.x),
+                false => 0.0,
             };
-            let jump = pushed(list.in_zone_before(i), given.cell_to(node.x))
-                - pushed(list.in_zone_before(i + 1), given.cell_from(node.x));
+            let jump = pushed(list.in_zone_before(i), PiecewiseScene::cell_to)
+                - pushed(list.in_zone_before(i + 1), PiecewiseScene::cell_from);
             let [grown, _] = of.on_node(node.x, load);
             let moved = if place == 0.0 || jump == 0.0 { 0.0 } else { jump * place };
             let force = beside[i].third[0] - beside[i].third[1] + moved + grown;
             NodeChange { place, force, value: asks[i].value, slopes: slopes[i] }
         });
         changes.collect()
+    }
+
+    /// What is asked of the change at node `i`.
+    fn ask(&self, of: Change, i: usize) -> Ask {
+        let &Self { given, list, forces, .. } = self;
+        let node = &list.nodes[i];
+        let [_, turned] = of.on_node(node.x, 0.0);
+        let ground = match of {
+            Change::Ground => 1.0,
+            Change::GroundUnder(from, to) if (from..=to).contains(&i) => 1.0,
+            _ => 0.0,
+        };
+        let fixed = |value: f64| Ask { value, slopes: Some([0.0; 2]), jump: [0.0; 2] };
+        if node.is_smooth() {
+            let bend = bend(self.beside[i]);
+            return match bend {
+                0.0 => fixed(ground),
+                _ => Ask { value: ground, slopes: None, jump: [-turned, forces[i] / bend] },
+            };
+        }
+        let [on_left, on_right] = self.beside[i];
+        let sides = [on_left.map(|span| span.beam_b), on_right.map(|span| span.beam_a)];
+        // Of a support that moves: how its level changes along the beam, and the bend of the axis.
+        let moves = |own: usize| match of {
+            Change::Level(changed) if changed == own => (1.0, None),
+            Change::Support(changed, [axis, bent]) if changed == own => {
+                (-(sides.iter().flatten().next().map_or(0.0, |beam| beam[1]) + axis), Some(bent))
+            }
+            _ => (0.0, None),
+        };
+        let holding = self.supports[i].filter(|&index| index < given.supports.len());
+        let Some(index) = holding else {
+            let bearing = self.supports[i];
+            return match bearing.map(moves) {
+                _ if !node.is_edge(given) => fixed(ground),
+                None => Ask { value: ground, slopes: None, jump: [-turned, 0.0] },
+                // It does not move with the ground.
+                Some((value, moved)) => {
+                    let force = if moved.is_some() { forces[i] } else { 0.0 };
+                    Ask { value, slopes: None, jump: [force - turned, 0.0] }
+                }
+            };
+        };
+        let (value, moved) = moves(index);
+        if node.held_slope(given).is_some() {
+            // w' = −(v'' + w0'') on either side; where the ground holds the slope, w' = g'' − v''.
+            let support = &given.supports[index];
+            let held = given.cells_beside(support.breakpoint)[usize::from(!list.rests(i)[0])];
+            let moved = moved.map(|bent| if support.built_in { bent } else { -given.derivative(held, node.x, 2) });
+            let slopes = sides.map(|beam| beam.zip(moved).map_or(0.0, |(beam, bent)| -(beam[2] + bent)));
+            return Ask { value, slopes: Some(slopes), jump: [0.0; 2] };
+        }
+        let force = if moved.is_some() { forces[i] + self.standing[i] } else { 0.0 };
+        Ask { value, slopes: None, jump: [force - turned, 0.0] }
     }
 
     /// `w'` to the left and to the right of the nodes.
@@ -256,7 +332,7 @@ impl<'a> Sensitivity<'a> {
     }
 
     /// Bends and shear forces to the left and to the right of each node.
-    fn beside(&self, of: Change, asks: &[Ask], slopes: &[[f64; 2]]) -> Vec<Ends> {
+    fn changed_ends(&self, of: Change, asks: &[Ask], slopes: &[[f64; 2]]) -> Vec<Ends> {
         let mut beside = vec![Ends::default(); asks.len()];
         for (right, span) in self.spans {
             if let Some((node, at_left)) = self.overhang(*right, span) {
@@ -303,87 +379,7 @@ pub(super) fn ends(spans: &[(usize, Span)], i: usize) -> [Option<&Span>; 2] {
     [before, after].map(|span| span.map(|(_, span)| span))
 }
 
-/// `h''` at a smooth point, the same on both sides.
-pub(super) fn bend(spans: &[(usize, Span)], i: usize) -> f64 {
-    let [left, right] = ends(spans, i);
+/// `h''` at a smooth point, the same in the spans on both sides.
+fn bend([left, right]: [Option<&Span>; 2]) -> f64 {
     right.map(|span| span.at_a[2]).or(left.map(|span| span.at_b[2])).unwrap_or(f64::NAN)
-}
-
-fn ask(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], forces: &[f64], of: Change, i: usize) -> Ask {
-    let node = &list.nodes[i];
-    let [_, turned] = of.on_node(node.x, 0.0);
-    let ground = match of {
-        Change::Ground => 1.0,
-        Change::GroundUnder(from, to) if (from..=to).contains(&i) => 1.0,
-        _ => 0.0,
-    };
-    let fixed = |value: f64| Ask { value, slopes: Some([0.0; 2]), jump: [0.0; 2] };
-    if node.is_smooth() {
-        let bend = bend(spans, i);
-        return match bend {
-            0.0 => fixed(ground),
-            _ => Ask { value: ground, slopes: None, jump: [-turned, forces[i] / bend] },
-        };
-    }
-    let [on_left, on_right] = ends(spans, i);
-    let sides = [on_left.map(|span| span.beam_b), on_right.map(|span| span.beam_a)];
-    // Of a support that moves: how its level changes along the beam, and the bend of the axis.
-    let moves = |own: usize| match of {
-        Change::Level(changed) if changed == own => (1.0, None),
-        Change::Support(changed, [axis, bent]) if changed == own => {
-            (-(sides.iter().flatten().next().map_or(0.0, |beam| beam[1]) + axis), Some(bent))
-        }
-        _ => (0.0, None),
-    };
-    let Some(index) = node.support(given) else {
-        let bearing = node.any_support(given);
-        return match bearing.map(moves) {
-            _ if !node.is_edge(given) => fixed(ground),
-            None => Ask { value: ground, slopes: None, jump: [-turned, 0.0] },
-            // It does not move with the ground.
-            Some((value, moved)) => {
-                let force = if moved.is_some() { forces[i] } else { 0.0 };
-                Ask { value, slopes: None, jump: [force - turned, 0.0] }
-            }
-        };
-    };
-    let (value, moved) = moves(index);
-    if node.held_slope(given).is_some() {
-        // w' = −(v'' + w0'') on either side; where the ground holds the slope, w' = g'' − v''.
-        let support = &given.supports[index];
-        let held = given.cells_beside(support.breakpoint)[usize::from(!list.rests(i)[0])];
-        let moved = moved.map(|bent| if support.built_in { bent } else { -given.derivative(held, node.x, 2) });
-        let slopes = sides.map(|beam| beam.zip(moved).map_or(0.0, |(beam, bent)| -(beam[2] + bent)));
-        return Ask { value, slopes: Some(slopes), jump: [0.0; 2] };
-    }
-    let force = if moved.is_some() { forces[i] + standing(given, list, i) } else { 0.0 };
-    Ask { value, slopes: None, jump: [force - turned, 0.0] }
-}
-
-/// Eliminates rows of `[left, middle, right]`: what each takes of the row before, its pivot, and what is to the right of it.
-fn factored(mut rows: Vec<[f64; 3]>) -> Option<Vec<[f64; 3]>> {
-    for i in 0..rows.len() {
-        let [_, pivot, upper] = rows[i];
-        if pivot == 0.0 || !pivot.is_finite() {
-            return None;
-        }
-        if let Some(next) = rows.get_mut(i + 1) {
-            next[0] /= pivot;
-            next[1] -= next[0] * upper;
-        }
-    }
-    Some(rows)
-}
-
-/// The unknowns whose sum with the constants is zero.
-fn solved(factors: &[[f64; 3]], mut constants: Vec<f64>) -> Vec<f64> {
-    for i in 1..constants.len() {
-        constants[i] -= factors[i][0] * constants[i - 1];
-    }
-    let mut beyond = 0.0;
-    for (constant, [_, pivot, upper]) in constants.iter_mut().zip(factors).rev() {
-        *constant = -(*constant + upper * beyond) / pivot;
-        beyond = *constant;
-    }
-    constants
 }

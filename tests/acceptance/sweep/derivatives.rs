@@ -318,3 +318,25 @@ fn a_beam_that_is_turned_keeps_its_forces() {
         }
     }
 }
+
+/// Of many supports a number moves those near by: its derivatives are there on both sides, and those of differences. Between two supports
+/// there is a load here and there, and some supports only push. The outermost ones can only move inwards.
+#[test]
+fn of_many_supports_derivatives_are_those_of_differences() {
+    let fields = 200_u32;
+    let level = |i: u32| 0.004 * f64::from(i * i % 7);
+    let support = |i: u32| match i % 9 {
+        4 => Support { level: level(i) + 0.02, ..Support::pushing(f64::from(i)) },
+        _ => Support { level: level(i), ..Support::simple(f64::from(i)) },
+    };
+    let beam =
+        Beam::new(f64::from(fields), 1.0).and_then(|beam| beam.with_supports((0..=fields).map(support).collect()));
+    let beam = beam.expect("a beam");
+    let point = (2..fields).step_by(40).map(|i| PointLoad { at: f64::from(i) + 0.3, force: 0.5 }).collect();
+    let load = Load::new(&beam, 1.0, Vec::new(), point).expect("a load");
+    let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 1.0 })).expect("a scene");
+    let mut trial = Trial::default();
+    trial.compare("many supports", &scene);
+    assert!(trial.wrong.is_empty(), "{}", trial.wrong.join("\n"));
+    assert!(400 < trial.both && trial.one == 2 && trial.none == 0, "{trial:?}");
+}
