@@ -38,7 +38,8 @@ pub(super) fn moments(enclosed: &EnclosedScene<'_>, sprung: &Sprung, gap: f64) -
     places.dedup();
     let begins_before = |x: f64| sprung.moments.partition_point(|(ends, _)| ends[0] < x);
     let brackets = places.windows(2).map(|bay| {
-        let error = number(2) * (number(2) * Interval::exact(gap) * size(enclosed, sprung.stiffness, [bay[0], bay[1]])).sqrt();
+        let error =
+            number(2) * (number(2) * Interval::exact(gap) * size(enclosed, sprung.stiffness, [bay[0], bay[1]])).sqrt();
         let inside = &sprung.moments[begins_before(bay[0])..begins_before(bay[1])];
         extremes(inside.iter().copied()).map(|of| of + Interval::around_zero(error.hi()))
     });

@@ -91,9 +91,9 @@ fn the_certificate_moves_no_place() {
 
 /// Where all files are that a bound rests on, and how many lines of code they may have together.
 const KERNEL: &str = "src/certificate/kernel";
-/// Of these, 182 are there for elastic foundations of many readings, stretches that are walked along and groups of pressed parts, and 37
-/// for couples as loads.
-const MOST_LINES: usize = 1670;
+/// Of these, 182 are there for elastic foundations of many readings, stretches that are walked along and groups of pressed parts, 22 for the
+/// moments of a pair on one, and 37 for couples as loads.
+const MOST_LINES: usize = 1690;
 
 /// The files of the kernel without their tests.
 fn kernel() -> BTreeMap<String, String> {

@@ -126,8 +126,10 @@ fn turned_pipe(seed: u64) -> Scene {
     let (scene, mut random) = (pipe(seed), Random::new(0x60_0000 + seed));
     let length = scene.beam().length();
     let place = |random: &mut Random| length * random.between(0.0, 1.0);
-    let couple =
-        |_| CoupleLoad { at: place(&mut random), moment: scene.load().uniform() * random.pick(&[-20.0, -2.0, 5.0, 20.0]) };
+    let couple = |_| CoupleLoad {
+        at: place(&mut random),
+        moment: scene.load().uniform() * random.pick(&[-20.0, -2.0, 5.0, 20.0]),
+    };
     let couples = (0..seed % 3).map(couple).collect();
     let load = scene.load().clone().with_couples(scene.beam(), couples).expect("on the beam");
     Scene::above(scene.beam().clone(), load, scene.foundation().cloned(), scene.ground_stiffness()).expect("a scene")

@@ -119,7 +119,8 @@ fn a_wrong_witness_makes_a_pair() {
                     let v = piece.v.at(Interval::length(piece.from, *at)) - Interval::exact(DEPTH + SUNK);
                     assert!(v.lo() <= ROUNDING && -ROUNDING <= v.hi(), "{supports:?}, {off}: {v:?} at {at}");
                 }
-                let energy = energy(&pair.pieces, enclosed.load, STIFFNESS) + pair.ground.as_ref().expect("of springs").energy;
+                let energy =
+                    energy(&pair.pieces, enclosed.load, STIFFNESS) + pair.ground.as_ref().expect("of springs").energy;
                 let (least, rounding) = (least_energy(10.0), ROUNDING * least_energy(10.0).abs());
                 assert!(least - rounding <= energy.hi(), "{supports:?}, {off}: {energy:?} for {least}");
                 assert!(

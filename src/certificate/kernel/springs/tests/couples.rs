@@ -106,7 +106,8 @@ fn a_wrong_witness_does_not_lose_a_couple() {
                 let sprung = pair.ground.as_ref().expect("of springs");
                 let energy = energy(&pair.pieces, enclosed.load, STIFFNESS) + sprung.energy;
                 let least = least_energy(LENGTH) - 0.5 * COUPLE * bends.turns();
-                let beside = if bends.is_at_the_end { 10.0 * (LENGTH - bends.at) * COUPLE * COUPLE / STIFFNESS } else { 0.0 };
+                let beside =
+                    if bends.is_at_the_end { 10.0 * (LENGTH - bends.at) * COUPLE * COUPLE / STIFFNESS } else { 0.0 };
                 let rounding = ROUNDING * least.abs() + beside;
                 assert!(least - rounding <= energy.hi(), "{bends:?}, {share}, {off}: {energy:?} for {least}");
                 let lower = energy.lo() - pair.gap;
