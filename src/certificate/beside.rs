@@ -76,7 +76,12 @@ pub(super) fn opens(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, ends: [f6
     const HALVINGS: u32 = 16;
     let side = usize::from(ends[0].total_cmp(&x).is_eq());
     let is_tangent = enclosed.support(x).is_some_and(|support| keeps_slope(support, side));
-    if !is_tangent || !is_uniform(enclosed) || is_turned(enclosed, ends) || pair.ground.is_some() || !enclosed.gap.is_smooth_between(ends[0], ends[1]) {
+    if !is_tangent
+        || !is_uniform(enclosed)
+        || is_turned(enclosed, ends)
+        || pair.ground.is_some()
+        || !enclosed.gap.is_smooth_between(ends[0], ends[1])
+    {
         return false;
     }
     let (piece, stiffness) = (piece_at(pair, 0.5 * (ends[0] + ends[1])), Interval::exact(enclosed.stiffness));
@@ -127,7 +132,8 @@ fn keeps_slope(support: &EnclosedSupport, side: usize) -> bool {
 fn starts_along(enclosed: &EnclosedScene<'_>, support: &EnclosedSupport, side: usize) -> bool {
     let at_end = support.x <= 0.0 || enclosed.length <= support.x;
     let is_turned = || is_turned(enclosed, [support.x, support.x]);
-    let hinged = || at_end && support.slope.is_none() && !is_turned() && 0.0 <= enclosed.gap.jet(support.x, side == 0)[2].lo();
+    let hinged =
+        || at_end && support.slope.is_none() && !is_turned() && 0.0 <= enclosed.gap.jet(support.x, side == 0)[2].lo();
     keeps_slope(support, side) || support.at_level[side] && hinged()
 }
 

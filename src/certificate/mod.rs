@@ -339,11 +339,10 @@ impl Certificate {
 
     /// What was proven of any deflection. All factors are powers of two: only exponents change.
     fn of_any(enclosed: &EnclosedScene<'_>, scaled: &Scaled, pair: &Pair, [greatest, _]: [Interval; 2]) -> Self {
-        let (scene, scale) = (&scaled.scene, &scaled.scale);
-        let energy = energy(&pair.pieces, enclosed) + pair.ground.unwrap_or(Interval::ZERO) + pair.turned;
+        let (scene, scale, gap) = (&scaled.scene, &scaled.scale, pair.gap);
         let standing = Standing::of(enclosed, scene.load());
-        let energy = standing.energy(energy);
-        let gap = pair.gap;
+        let ground = pair.ground.as_ref().map_or(Interval::ZERO, |sprung| sprung.energy);
+        let energy = standing.energy(energy(&pair.pieces, enclosed) + ground + pair.turned);
         let energies = [(Interval::exact(energy.lo()) - Interval::exact(gap)).lo(), energy.hi()];
         let stiffness =
             if scene.beam().is_simple() { stiffness(energies, scene.load(), enclosed.length) } else { None };

@@ -36,6 +36,10 @@
 //! Two solves of a beam with a kink at `x` bound `M*(x)` as well, since the energy is convex in the angle and its derivative is
 //! `−M*(x)`; but at one place each time, and to the root of what is rounded of an energy. A gap is of the size of the square of
 //! that, and this its third root.
+//!
+//! On an elastic foundation contact is never concentrated, and more is known (`on_springs`).
+
+mod on_springs;
 
 use super::beside::lies_beside;
 use super::kernel::contact_node::{EnclosedScene, EnclosedSupport};
@@ -48,6 +52,9 @@ use super::support_forces::clear_from;
 
 /// Bounds of the greatest and of the least moment; the former is [`None`] where nothing could be shown beside a support.
 pub(super) fn moments(enclosed: &EnclosedScene<'_>, pair: &Pair) -> [Option<Interval>; 2] {
+    if let Some(sprung) = &pair.ground {
+        return on_springs::moments(enclosed, sprung, pair.gap);
+    }
     let EnclosedScene { length, .. } = *enclosed;
     let moment = |ends: [f64; 2], v: &Polynomial| {
         v.derivative().derivative().times(Interval::exact(-enclosed.stiffness_between(ends)))

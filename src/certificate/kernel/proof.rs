@@ -62,12 +62,23 @@ pub(crate) struct Pair {
     pub(crate) turns_about: Option<f64>,
     /// How far `v̂` was lifted at most off the deflection that the places of the witness make; infinite if it is of no witness.
     pub(crate) lifted: f64,
-    /// `½∫ k (v̂ − g)₊²` of ground that gives; [`None`] on rigid ground.
-    pub(crate) ground: Option<Interval>,
+    /// What an elastic foundation adds; [`None`] on a rigid one.
+    pub(crate) ground: Option<Sprung>,
     /// `½Σ k [v̂']²` of joints.
     pub(crate) turned: Interval,
     /// [`EnclosedScene::soft`].
     pub(crate) soft: f64,
+}
+
+/// What a pair on an elastic foundation has besides.
+#[derive(Debug, Clone)]
+pub(crate) struct Sprung {
+    /// `k`.
+    pub(crate) stiffness: Interval,
+    /// `½∫ k (v̂ − g)₊²`.
+    pub(crate) energy: Interval,
+    /// `M(from + s)` of the pair before tension is cut off, by parts from left to right: in balance with the loads but for supports.
+    pub(crate) moments: Vec<([f64; 2], Polynomial)>,
 }
 
 /// The pair of some nodes, if there is one.

@@ -230,6 +230,21 @@ impl Span {
         Interval::length(self.from, self.to) * (r[0].square() + r[1].square() + (r[0] + r[1]).square())
     }
 
+    /// `M(from + s)` by parts without a break of the load, from the moments at its two ends.
+    pub(crate) fn moments(&self, enclosed: &EnclosedScene<'_>, at_ends: [Interval; 2]) -> Vec<([f64; 2], Polynomial)> {
+        let load = enclosed.load;
+        let [mut moment, mut shear] = [at_ends[0], self.shears(at_ends)[0]];
+        let part = |part: [f64; 2]| {
+            let [q, rise] = load.line(part[0], part);
+            let of = Polynomial::new(&[moment, shear, -q / number(2), -rise / number(6)]);
+            let width = Interval::length(part[0], part[1]);
+            moment = of.at(width) + load.couple(part[1]);
+            shear = of.derivative().at(width) - load.point(part[1]);
+            (part, of)
+        };
+        cells(self.from, self.to, load.breaks(self.from, self.to)).into_iter().map(part).collect()
+    }
+
     /// Its deflection by parts without a break of the load, each known from both of its ends: `v(from + s)` and `v(to + s)`;
     /// `breaks` besides those of the load. Without those of the foundation rounding does not grow there.
     pub(crate) fn curves(&self, enclosed: &EnclosedScene<'_>, mut breaks: Vec<f64>) -> Vec<Curve> {

@@ -29,7 +29,7 @@ use super::held::lines;
 use super::interval::Interval;
 use super::polynomial::{Polynomial, TERMS, number};
 use super::pressing::TensionCutOff;
-use super::proof::{Pair, Piece};
+use super::proof::{Pair, Piece, Sprung};
 use super::reference::{Datum, Line};
 use super::span::Span;
 
@@ -71,6 +71,7 @@ struct Carrier {
 #[derive(Default)]
 struct Sums {
     pieces: Vec<Piece>,
+    moments: Vec<([f64; 2], Polynomial)>,
     carriers: Vec<Carrier>,
     cut_off: TensionCutOff,
     /// The most that any pressure pulls with.
@@ -219,6 +220,7 @@ impl OnSprings<'_> {
     fn hang(&self, i: usize, span: &Span, moments: [Interval; 2], sums: &mut Sums) {
         let stiffness = Interval::exact(self.enclosed.stiffness);
         sums.square = sums.square + span.misfit(stiffness, moments) / (number(6) * stiffness);
+        sums.moments.extend(span.moments(self.enclosed, moments));
         for (cell, curves) in span.curves(self.enclosed, self.enclosed.gap.breaks(span.from, span.to)) {
             let half = Interval::exact(0.5 * Interval::length(cell[0], cell[1]).hi());
             for (side, v) in curves.iter().enumerate() {
@@ -251,9 +253,9 @@ impl OnSprings<'_> {
             Some(Walk { slope, is_all: true, .. }) => Polynomial::new(&[ends[0][0] - less.at(Interval::ZERO), slope]),
             _ => cubic(ends, less, width, walk.map(|walk| walk.slope)),
         });
-        let (w, turn) = (t.plus(&delta), r.derivative().derivative());
+        let (w, turn, moment) = (t.plus(&delta), r.derivative().derivative(), caused.plus(&r));
         let (v, p) = (self.enclosed.gap.about(from, ends).plus(&w), t.times(k).plus(&turn));
-        let bending = v.derivative().derivative().times(stiffness).plus(&caused).plus(&r);
+        let bending = v.derivative().derivative().times(stiffness).plus(&moment);
         let of = |p: &Polynomial| p.integral_of_product(p, width).not_negative();
         sums.square = sums.square + of(&bending) / stiffness + of(&delta.times(k).minus(&turn)) / k;
         let (pressure, sunk) = (p.range(width), w.range(width));
@@ -269,6 +271,7 @@ impl OnSprings<'_> {
             cost,
         });
         sums.pieces.push(Piece { from, to, v, pressed: true });
+        sums.moments.push((ends, moment));
         Some(())
     }
 
@@ -321,8 +324,8 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, ground: f64, stretches: &[Stret
     let force = |&node: &usize| shears[node][1] - shears[node][0] + enclosed.load.point(on.x(node));
     let carried = nodes.iter().map(|node| (on.x(*node), force(node) + Interval::around_zero(share.hi()))).collect();
     let zones = on.held_by_groups(&sums.carriers, gap);
-    let (pieces, ground) = (sums.pieces, Some(sums.energy / number(2)));
-    let (turned, soft) = (Interval::ZERO, enclosed.soft());
+    let ground = Some(Sprung { stiffness: k, energy: sums.energy / number(2), moments: sums.moments });
+    let (pieces, turned, soft) = (sums.pieces, Interval::ZERO, enclosed.soft());
     Some(Pair { pieces, gap, carried, lines, zones, turns_about: None, lifted: 0.0, ground, turned, soft })
 }
 

@@ -273,7 +273,9 @@ fn energy(given: &PiecewiseScene, parts: &[Part], springs: f64) -> f64 {
         });
     }
     given.forces().fold(sum, |sum, &Breakpoint { x, force, couple, .. }| {
-        let [v, v1, ..] = part_at(parts, x, false).beam(x);
+        // The slope of a short part is a quotient by its length.
+        let [left, right] = [false, true].map(|right| part_at(parts, x, right));
+        let [v, v1, ..] = if left.piece.width() < right.piece.width() { right } else { left }.beam(x);
         sum - force * v + couple * v1
     })
 }

@@ -71,11 +71,12 @@ pub(super) fn solve<'a>(
 impl<'a> Beam<'a> {
     /// The chain of links `lo` to `hi`, without `hi`: `h, h', M, V` at both ends of each.
     fn chain(&self, lo: usize, hi: usize) -> Option<Vec<Ends>> {
-        // `h` and `M` of a node are those on its right side.
-        let jumps = |i: usize| if i < hi { [self.jump(i)[0], self.acts(i)[1]] } else { [0.0; 2] };
+        // `h` of a node is that on its right side.
+        let step = |i: usize| if i < hi { self.jump(i)[0] } else { 0.0 };
+        let turns = |i: usize| if lo < i && i < hi { self.turns(i) } else { [0.0; 2] };
         let loaded = |i: usize| {
-            let ([step, turn], link) = (jumps(i + 1), &self.links[i]);
-            link.ends(link.c, [0.0, -step], [0.0, -turn])
+            let link = &self.links[i];
+            link.ends(link.c, [0.0, -step(i + 1)], [turns(i)[1], -turns(i + 1)[0]])
         };
         let mut rows: Vec<Row> = (lo..=hi).map(|i| self.row(i, [lo, hi])).collect();
         for i in lo..hi {
@@ -92,9 +93,10 @@ impl<'a> Beam<'a> {
         let at = |row: &Row| [0, 2].map(|j| row.known[j].unwrap_or(row.block.step[j / 2]));
         let mut ends: Vec<Ends> = (lo..hi)
             .map(|i| {
-                let ([h, m], [k, n], [step, turn]) = (at(&rows[i - lo]), at(&rows[i - lo + 1]), jumps(i + 1));
-                let [[a1, a3], [b1, b3]] = self.links[i].ends(self.links[i].c, [h, k - step], [m, n - turn]);
-                [[h, a1, m, a3], [k - step, b1, n - turn, b3]]
+                let ([h, m], [k, n]) = (at(&rows[i - lo]), at(&rows[i - lo + 1]));
+                let (k, m, n) = (k - step(i + 1), m + turns(i)[1], n - turns(i + 1)[0]);
+                let [[a1, a3], [b1, b3]] = self.links[i].ends(self.links[i].c, [h, k], [m, n]);
+                [[h, a1, m, a3], [k, b1, n, b3]]
             })
             .collect();
         self.shear_over_short_links(lo, &mut ends);
@@ -104,6 +106,13 @@ impl<'a> Beam<'a> {
             ends[i][side].iter_mut().zip(row.known).for_each(|(value, known)| *value = known.unwrap_or(*value));
         }
         Some(ends)
+    }
+
+    /// By what `M` of node `i` is more than `M` just left of it, and less than `M` just right of it: a couple is a load of the longer one of
+    /// both links. Over a short one it would be two forces that are the larger the shorter it is, and cancel.
+    fn turns(&self, i: usize) -> [f64; 2] {
+        let ([left, right], turn) = ([&self.links[i - 1], &self.links[i]], self.acts(i)[1]);
+        if left.hi - left.lo < right.hi - right.lo { [0.0, turn] } else { [turn, 0.0] }
     }
 
     /// A node of the chain from node `lo` to node `hi`, but for what loads on links do.

@@ -1,10 +1,10 @@
 //! The equations of an explanation hold for the moments of the exact answer, and are those of a textbook.
 
-use palkki::explain::{Chain, Explanation, Parts, What};
-use palkki::scene::{Beam, Foundation, LinearLoad, Load, Scene, Support};
+use palkki::explain::{Chain, ChainNode, Explanation, Parts, What};
+use palkki::scene::{Beam, CoupleLoad, Foundation, LinearLoad, Load, Scene, Support};
 use palkki::theory;
 use palkki_evidence::hostile;
-use palkki_evidence::random::sample_of;
+use palkki_evidence::random::{Random, sample_of};
 
 use super::settled::pipe;
 use crate::scenes::on_supports;
@@ -121,14 +121,29 @@ fn equations_of_random_scenes_hold() {
     assert!(1000 < equations && kinds.iter().all(|count| 20 < *count), "{equations}, {kinds:?}");
 }
 
+/// A pipe in soil, two of three with one or two couples.
+fn turned_pipe(seed: u64) -> Scene {
+    let (scene, mut random) = (pipe(seed), Random::new(0x60_0000 + seed));
+    let length = scene.beam().length();
+    let place = |random: &mut Random| length * random.between(0.0, 1.0);
+    let couple = |_| CoupleLoad {
+        at: place(&mut random),
+        moment: scene.load().uniform() * random.pick(&[-20.0, -2.0, 5.0, 20.0]),
+    };
+    let couples = (0..seed % 3).map(couple).collect();
+    let load = scene.load().clone().with_couples(scene.beam(), couples).expect("on the beam");
+    Scene::above(scene.beam().clone(), load, scene.foundation().cloned(), scene.ground_stiffness()).expect("a scene")
+}
+
 /// On an elastic foundation the slopes and the shear forces of the links meet at every node, with numbers that the links compute from the
-/// scene alone: free beams, supports in soil, clamps, bearings, waves and polylines.
+/// scene alone: free beams, supports in soil, clamps, bearings, waves, polylines and couples.
 #[test]
 fn the_links_of_a_chain_meet_at_every_node() {
     /// What is left of `v` and `M`, which have twelve digits, over the shortest link.
     const LEFT: f64 = 1e-8;
+    let mut turned = 0;
     for seed in 0..sample_of(200) {
-        let scene = pipe(seed);
+        let scene = turned_pipe(seed);
         let exact = theory::solve(&scene).expect("an answer");
         let chain = Chain::of(&scene, &exact).expect("an elastic foundation");
         let sizes = |of: &dyn Fn(usize) -> [Option<Parts>; 2]| -> f64 {
@@ -141,11 +156,22 @@ fn the_links_of_a_chain_meet_at_every_node() {
             let close = [0, 1].map(|kind| off[kind] <= LEFT * sizes[kind]);
             assert_eq!(close, [true; 2], "{seed}, node {node}: {off:?} of {sizes:?}\n{scene:?}");
         }
+        // The moments of a chain jump by its couples.
+        for couple in scene.load().couple() {
+            let is_here = |node: &&ChainNode| (node.x - couple.at).abs() <= 1e-12 * scene.beam().length();
+            let node = chain.nodes.iter().find(is_here).unwrap_or_else(|| panic!("{seed}: no node at {couple:?}"));
+            let moments = chain.nodes.iter().flat_map(|node| node.moments);
+            let size = moments.fold(0.0, |most: f64, moment| most.max(moment.abs()));
+            let jump = node.moments[1] - node.moments[0];
+            assert!((jump - couple.moment).abs() <= 1e-9 * size, "{seed}: {jump} of {couple:?}");
+            turned += 1;
+        }
         // The reactions are among what is printed.
         let forces: f64 = chain.nodes.iter().map(|node| node.force).sum();
         let own: f64 = exact.state.supports.iter().map(|support| support.force).sum();
         assert!((forces - own).abs() <= 1e-9 * (own.abs() + scene.load().magnitude(scene.beam().length())));
     }
+    assert!(sample_of(200) < 2 * turned, "only {turned} couples");
     let rigid = on_supports([6.0, 40.0], &[Support::simple(0.0), Support::simple(6.0)], (3.0, &[]), None);
     assert!(Chain::of(&rigid, &theory::solve(&rigid).expect("an answer")).is_none());
 }

@@ -6,6 +6,7 @@ mod beside;
 mod borders;
 mod clearance;
 mod closed;
+mod coupled;
 mod crests;
 mod elastic;
 mod explain;

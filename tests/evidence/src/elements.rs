@@ -40,6 +40,12 @@ fn shape(t: f64, h: f64) -> [f64; 4] {
     ]
 }
 
+/// Their slopes.
+fn slopes(t: f64, h: f64) -> [f64; 4] {
+    let turned = 6.0 * t * (1.0 - t) / h;
+    [-turned, 1.0 - 4.0 * t + 3.0 * t * t, turned, t * (3.0 * t - 2.0)]
+}
+
 /// A point of the quadrature: its element, shape functions, weight, and the depth of the ground.
 struct Point {
     element: usize,
@@ -74,11 +80,13 @@ impl<'a> Elements<'a> {
                 elements.points.push(Point { element, shape, weight, ground: scene.depth(x) - own(x) });
             }
         }
-        for load in scene.load().point() {
-            let element = elements.nodes.partition_point(|x| *x <= load.at).clamp(1, elements.nodes.len() - 1) - 1;
+        let forces = scene.load().point().iter().map(|load| (load.at, load.force, shape as fn(f64, f64) -> [f64; 4]));
+        let couples = scene.load().couple().iter().map(|load| (load.at, load.moment, slopes as _));
+        for (at, acts, on) in forces.chain(couples) {
+            let element = elements.nodes.partition_point(|x| *x <= at).clamp(1, elements.nodes.len() - 1) - 1;
             let width = elements.nodes[element + 1] - elements.nodes[element];
-            let shape = shape((load.at - elements.nodes[element]) / width, width);
-            (0..BAND).for_each(|i| elements.load[2 * element + i] += load.force * shape[i]);
+            let on = on((at - elements.nodes[element]) / width, width);
+            (0..BAND).for_each(|i| elements.load[2 * element + i] += acts * on[i]);
         }
         elements
     }

@@ -5,7 +5,9 @@ use crate::certificate::in_intervals;
 use crate::certificate::kernel::contact_node::EnclosedSupport;
 use crate::certificate::kernel::distance::{anywhere, factor, on_part};
 use crate::certificate::quantities::energy;
-use crate::scene::{Balance, Beam, Foundation, Load, Scene};
+use crate::scene::{Balance, Beam, CoupleLoad, Foundation, Load, Scene};
+
+mod couples;
 
 const STIFFNESS: f64 = 70.0;
 const LOAD: f64 = 3.0;
@@ -30,8 +32,19 @@ type Idle = (f64, bool);
 
 /// A beam of a length with such supports, which a scene file has to have above the ground.
 fn enclosed<R>(length: f64, supports: &[Idle], act: impl FnOnce(&EnclosedScene<'_>) -> R) -> R {
+    turned(length, supports, None, act)
+}
+
+/// The same with a couple.
+fn turned<R>(
+    length: f64,
+    supports: &[Idle],
+    couple: Option<CoupleLoad>,
+    act: impl FnOnce(&EnclosedScene<'_>) -> R,
+) -> R {
     let beam = Beam::new(length, STIFFNESS).and_then(|beam| beam.with_supports(Vec::new())).expect("a beam");
-    let load = Load::uniform_on(&beam, LOAD).expect("finite");
+    let load = Load::uniform_on(&beam, LOAD).and_then(|load| load.with_couples(&beam, couple.into_iter().collect()));
+    let load = load.expect("finite");
     let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: DEPTH })).expect("well posed");
     let support = |&(x, built_in): &Idle| EnclosedSupport {
         x,
@@ -106,7 +119,7 @@ fn a_wrong_witness_makes_a_pair() {
                     let v = piece.v.at(Interval::length(piece.from, *at)) - Interval::exact(DEPTH + SUNK);
                     assert!(v.lo() <= ROUNDING && -ROUNDING <= v.hi(), "{supports:?}, {off}: {v:?} at {at}");
                 }
-                let energy = energy(&pair.pieces, enclosed) + pair.ground.expect("of springs");
+                let energy = energy(&pair.pieces, enclosed) + pair.ground.as_ref().expect("of springs").energy;
                 let (least, rounding) = (least_energy(10.0), ROUNDING * least_energy(10.0).abs());
                 assert!(least - rounding <= energy.hi(), "{supports:?}, {off}: {energy:?} for {least}");
                 assert!(

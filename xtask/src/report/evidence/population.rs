@@ -113,7 +113,8 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
             .rows(rows(&|family| (0..5).map(|of| Spread::range(orders(&lines, family, method, of))).collect()))
     });
     let [differences, elements] = by_method;
-    let [side_by_side, side_by_side_most] = [|s: Spread| s.median, |s: Spread| s.worst].map(|of| side_by_side(&lines, of));
+    let [side_by_side, side_by_side_most] =
+        [|s: Spread| s.median, |s: Spread| s.worst].map(|of| side_by_side(&lines, of));
     let medians = |of: usize| Family::ALL.map(|family| digit(family, of).map_or(f64::NAN, |s| s.median));
     let digits = |of: usize| {
         let uneven = range(medians(of)[1..].iter().copied());
@@ -153,7 +154,8 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
 
 /// The errors of both discretisations on one grid, in per cent: a row for each family, two columns for each observable.
 fn side_by_side(lines: &[Line], of: fn(Spread) -> f64) -> Table {
-    let names = COMPARED.iter().flat_map(|(_, name)| ["FD", "energy methods"].map(|method| format!("{name}, {method}")));
+    let names =
+        COMPARED.iter().flat_map(|(_, name)| ["FD", "energy methods"].map(|method| format!("{name}, {method}")));
     let cells = |family: Family| {
         let errors = COMPARED.iter().flat_map(move |&(observable, _)| {
             METHODS.map(|method| on(lines, family, method, COMPARED_ON, observable).map(of))

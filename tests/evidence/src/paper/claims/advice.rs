@@ -31,7 +31,8 @@ pub(super) fn energy_methods_preferred() -> Result<Claim, SceneError> {
     let kinds = [vec![example()?], scenes(Unevenness::Wave, SCENES, SEED)?, scenes(Unevenness::Rough, SCENES, SEED)?];
     let mut medians = Vec::new();
     for kind in &kinds {
-        let of = |method| kind.iter().map(|scene| moment_error(scene, method)).collect::<Result<Vec<_>, _>>().map(median);
+        let of =
+            |method| kind.iter().map(|scene| moment_error(scene, method)).collect::<Result<Vec<_>, _>>().map(median);
         medians.push([of(Method::Complementarity)?, of(Method::Force)?]);
     }
     let better = medians.iter().filter(|[differences, force]| force < differences).count();

@@ -1,0 +1,73 @@
+//! What the greatest and the least moment of a beam on an elastic foundation lie between: those of the moment field `M` of the pair, with
+//! its pressure `p`, and an error.
+//!
+//! `v̂`, `M` and `p` of the pair and `v*`, `M* = −EI v*''` and `p* = k w*₊` of the beam satisfy
+//!
+//! ```text
+//! ½∫ (EI v̂'' + M)²/EI + ½∫ (k w₊ − p)²/k ≤ gap,    ½∫ (EI v̂'' − EI v*'')²/EI + ½∫ (k w₊ − p*)²/k ≤ gap
+//! ```
+//!
+//! with `p = 0` where the beam hangs. Where `p` pulls, `k w₊ − p` is no more than `k w − p` and what is cut off, whose root is in that of the
+//! gap as well. Hence `m = M − M*` and `f = p − p*` satisfy `∫ m²/EI + ∫ f²/k ≤ (2 √(2 gap))²`. Between supports `m'' = f`, without jumps of `m`
+//! and `m'`: both fields balance the same loads. For a function `φ` with `φ = 0` and `φ' = −1` at `x`, by parts on one side of `x`,
+//!
+//! ```text
+//! m(x) = ∫ m φ'' dx − ∫ f φ dx:    |m(x)| ≤ 2 √( 2 gap S ),    S = ∫ (EI φ''² + k φ²) dx
+//! ```
+//!
+//! if `φ = φ' = 0` before the next support, or whatever it is at a free end, where neither field has a moment that the loads do not give.
+//!
+//! - `φ'' = 3/2w` for `0 < s < w` and `−1/2w` for `w < s < 2w`: `S = 5 EI/2w + k w³/12`, least for `w⁴ = 10 EI/k`. Between two supports that are `b`
+//!   apart, `w ≤ b/4`. In an overhang any `w` will do: beyond the tip there is nothing.
+//! - `φ = −s` up to a free end at most `a` away: `S ≤ k a³/3`. By statics alone: the softer the foundation, the better.
+//! - The influence line of a beam on two simple supports `b` apart and no others, with overhangs `a` and `c`; `φ'` jumps by −1 at `x`, `φ` vanishes
+//!   at both supports: `S ≤ k (b³/48 + (a³ + c³)/3)`.
+//!
+//! On both sides of a couple `m` is the same.
+
+use crate::certificate::kernel::contact_node::EnclosedScene;
+use crate::certificate::kernel::interval::Interval;
+use crate::certificate::kernel::polynomial::number;
+use crate::certificate::kernel::proof::Sprung;
+use crate::certificate::largest::extremes;
+
+/// Bounds of the greatest and of the least moment; [`None`] where nothing could be shown.
+pub(super) fn moments(enclosed: &EnclosedScene<'_>, sprung: &Sprung, gap: f64) -> [Option<Interval>; 2] {
+    let mut places: Vec<f64> = [0.0].into_iter().chain(enclosed.supports.iter().map(|s| s.x)).collect();
+    places.push(enclosed.length);
+    places.dedup();
+    let begins_before = |x: f64| sprung.moments.partition_point(|(ends, _)| ends[0] < x);
+    let brackets = places.windows(2).map(|bay| {
+        let error =
+            number(2) * (number(2) * Interval::exact(gap) * size(enclosed, sprung.stiffness, [bay[0], bay[1]])).sqrt();
+        let inside = &sprung.moments[begins_before(bay[0])..begins_before(bay[1])];
+        extremes(inside.iter().copied()).map(|of| of + Interval::around_zero(error.hi()))
+    });
+    let none = Interval::exact(f64::NEG_INFINITY);
+    let greater = |a: Interval, b: Interval| Interval::between(a.lo().max(b.lo()), a.hi().max(b.hi()));
+    let [greatest, negated] =
+        brackets.fold([none; 2], |most, [greatest, least]| [greater(most[0], greatest), greater(most[1], -least)]);
+    [greatest, -negated].map(|bracket| Some(bracket).filter(|bracket| bracket.is_finite()))
+}
+
+/// `S` of the best `φ` for all places between two neighbouring supports, or between a support and an end of the beam.
+fn size(enclosed: &EnclosedScene<'_>, k: Interval, [from, to]: [f64; 2]) -> Interval {
+    let (stiffness, length, supports) = (Interval::exact(enclosed.stiffness), enclosed.length, enclosed.supports);
+    let width = Interval::length(from, to);
+    let is_free = [from, to].map(|x| enclosed.support(x).is_none());
+    let best = (number(10) * stiffness / k).sqrt().sqrt();
+    let room = if is_free == [false; 2] { best.lo().min((width / number(4)).lo()) } else { best.lo() };
+    let w = Interval::exact(room);
+    let bent = number(5) * stiffness / (number(2) * w) + k * w * w * w / number(12);
+    let cube = |a: Interval| a * a * a;
+    let straight = match (is_free, supports) {
+        ([true, true], _) => k * cube(width / number(2)) / number(3),
+        ([true, false] | [false, true], _) => k * cube(width) / number(3),
+        (_, [a, b]) if a.slope.is_none() && b.slope.is_none() => {
+            let overhangs = [Interval::length(0.0, a.x), Interval::length(b.x, length)].map(cube);
+            k * (cube(width) / number(48) + (overhangs[0] + overhangs[1]) / number(3))
+        }
+        _ => return bent,
+    };
+    if straight.hi() < bent.hi() { straight } else { bent }
+}
