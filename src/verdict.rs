@@ -21,8 +21,6 @@
 //! Contact forces from elsewhere have no problem and no summary of their own: of them the certificate and the error count
 //! ([`Verdict::of_forces`]). A single contact force, its place and a moment of a grid have no bracket, and nothing is said of them.
 //!
-//! [`Solution::solved`] is the first row alone, and so is [`Exact::solved`].
-//!
 //! ```
 //! use palkki::Witness;
 //! use palkki::certificate::{ContactLoad, Judged};
@@ -278,14 +276,11 @@ impl Verdict {
     pub fn of_exact(scene: &Scene, exact: &Exact, demand: &Demand) -> Self {
         let certificate = ExactContacts::of(exact).proof(scene).map(|proof| proof.judge(Judged::Witness));
         let is_hinged = scene.beam().joints().iter().any(|joint| joint.stiffness.is_none());
-        let own = if exact.solved && is_hinged {
-            Some(Refusal::Hinged)
-        } else if exact.solved {
-            certificate.as_ref().and_then(|c| differs_from_bounds(scene, c, &exact.state))
-        } else if exact.state.is_finite() {
-            Some(Refusal::Theory { residual: exact.residual })
-        } else {
-            Some(Refusal::NoNumbers)
+        let own = match (exact.solved, is_hinged, exact.state.is_finite()) {
+            (true, true, _) => Some(Refusal::Hinged),
+            (true, false, _) => certificate.as_ref().and_then(|c| differs_from_bounds(scene, c, &exact.state)),
+            (false, _, true) => Some(Refusal::Theory { residual: exact.residual }),
+            (false, _, false) => Some(Refusal::NoNumbers),
         };
         let most = demand.error.min(EXACT);
         let size = exact.state.deflection.magnitude();

@@ -1,4 +1,4 @@
-//! A couple on a beam far longer than `1/λ`: what it bends the beam by has a closed form (Hetenyi 1946), with `s` from the couple and `y = λ s`
+//! A couple on a beam far longer than `1/λ`: what it bends the beam by has a closed form (Hetényi 1946), with `s` from the couple and `y = λ s`
 //!
 //! ```text
 //! inside     u = C/4 EI λ² · e^(−y) sin y, and the negative mirror image,      u' = C/4 EI λ  at the couple
