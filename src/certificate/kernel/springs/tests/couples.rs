@@ -79,7 +79,7 @@ fn cases() -> Vec<(Bends, Vec<f64>)> {
         let inside = [vec![before], vec![behind], vec![before, behind], vec![before, middle - 0.5 * apart, behind]];
         cases.extend(inside.map(|more| (Bends { at: middle, is_at_the_end: false }, more)));
         let [at, farther] = [LENGTH - apart, LENGTH - 2.0 * apart];
-        let ends = [vec![at], vec![at, farther]].into_iter().filter(|_| 1e-8 < apart || apart < 1e-12);
+        let ends = [vec![at], vec![at, farther]].into_iter().filter(|_| !(1e-12..=1e-8).contains(&apart));
         cases.extend(ends.map(|more| (Bends { at, is_at_the_end: true }, more)));
     }
     let regular = (0..=320).map(|i| STEP * f64::from(i));
