@@ -9,7 +9,7 @@ use super::{Step, Sweep};
 const PARTS: usize = 200;
 
 /// Extremes over the values of a sweep. Moments are positive where the underside is in tension; the shear force is that of
-/// [`Exact::shear`].
+/// [`Exact::shear`](crate::theory::Exact::shear).
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Envelope {
@@ -106,7 +106,8 @@ impl<'a> Gathered<'a> {
         self.envelope_within(u64::MAX).0
     }
 
-    /// The same with so much work at the most ([`Exact::work`]), first of all for the moments, and whether that was enough. Extremes for
+    /// The same with so much work at the most ([`Exact::work`](crate::theory::Exact::work)), first of all for the moments, and whether that was
+    /// enough. Extremes for
     /// which it was not are those of the rows, or lie between one of them and the refined one.
     #[must_use]
     pub fn envelope_within(self, work: u64) -> (Option<Envelope>, bool) {
