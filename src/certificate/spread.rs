@@ -63,8 +63,7 @@ pub(super) fn deflection(scene: &Scene, enclosed: &EnclosedScene<'_>, forces: &C
     let (load, beam) = (scene.load(), scene.beam());
     let linear = load.linear().iter().copied().chain(spread).collect();
     let load = Load::new(beam, load.uniform(), linear, load.point().to_vec()).ok()?;
-    let net = Scene::above(beam.clone(), load, scene.foundation().cloned(), Some(k)).ok()?;
-    let mut net = standing::between(&net);
+    let mut net = standing::between(&scene.under(load).ok()?);
     let concentrated = given.iter().filter(|f| f.width <= 0.0);
     net.points.extend(concentrated.map(|f| (f.x, Interval::exact(-f.force))));
     net.points.sort_by(|a, b| a.0.total_cmp(&b.0));

@@ -223,11 +223,13 @@ impl Balance {
     }
 }
 
-/// The outermost places that can carry a beam without supports that hold: its ends on ground, and else supports that push.
+/// The outermost places that can carry a beam without supports that hold: ends of the ground, and supports that push.
 fn ends(scene: &Scene) -> Option<[f64; 2]> {
-    match (scene.foundation(), scene.beam().bearings()) {
-        (Some(_), _) => Some([0.0, scene.beam().length()]),
-        (None, bearings) => Some([bearings.first()?.at, bearings.last()?.at]),
+    let bearings = scene.beam().bearings();
+    let outermost = bearings.first().zip(bearings.last()).map(|(first, last)| [first.at, last.at]);
+    match (scene.ground_ends(), outermost) {
+        (Some(ground), Some(bearings)) => Some([ground[0].min(bearings[0]), ground[1].max(bearings[1])]),
+        (ground, bearings) => ground.or(bearings),
     }
 }
 
@@ -236,7 +238,8 @@ fn ends(scene: &Scene) -> Option<[f64; 2]> {
 fn braced(scene: &Scene, about: &Support) -> bool {
     let bearings = scene.beam().bearings();
     let is_between = bearings.iter().any(|bearing| bearing.at < about.at) && bearings.iter().any(|b| about.at < b.at);
-    is_between || scene.ground_stiffness().is_some() && scene.depth(about.at) <= about.level
+    let beside = || scene.is_grounded_beside(about.at) == [true; 2] && scene.depth(about.at) <= about.level;
+    is_between || scene.ground_stiffness().is_some() && beside()
 }
 
 /// The resultant of the loads; its place is no number if they have none.

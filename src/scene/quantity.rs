@@ -31,6 +31,10 @@ pub enum Quantity {
     /// A number of a profile.
     Profile(Profile, ProfileKey),
     GroundStiffness,
+    /// Where a step of the stiffness of the ground begins.
+    GroundStepAt(usize),
+    /// The stiffness of the ground from there on.
+    GroundStepStiffness(usize),
     /// All loads together.
     TotalLoad,
 }
@@ -110,7 +114,7 @@ impl Quantity {
     pub fn kind(self) -> Option<Kind> {
         Some(match self {
             Self::BendingStiffness | Self::StepStiffness(_) => Kind::BendingStiffness,
-            Self::GroundStiffness => Kind::GroundStiffness,
+            Self::GroundStiffness | Self::GroundStepStiffness(_) => Kind::GroundStiffness,
             Self::Uniform | Self::LinearStart(_) | Self::LinearEnd(_) => Kind::Intensity,
             Self::PointForce(_) => Kind::Force,
             Self::CoupleMoment(_) | Self::JointStiffness(_) => Kind::Moment,
@@ -119,6 +123,7 @@ impl Quantity {
             Self::Supports | Self::TotalLoad | Self::Profile(_, ProfileKey::Whole) => return None,
             Self::Length
             | Self::StepAt(_)
+            | Self::GroundStepAt(_)
             | Self::JointAt(_)
             | Self::LinearFrom(_)
             | Self::LinearTo(_)
@@ -168,6 +173,8 @@ impl fmt::Display for Quantity {
                 }
             }
             Self::GroundStiffness => write!(f, "foundation.stiffness"),
+            Self::GroundStepAt(i) => write!(f, "foundation.stiffness.steps[{i}][0]"),
+            Self::GroundStepStiffness(i) => write!(f, "foundation.stiffness.steps[{i}][1]"),
             Self::TotalLoad => write!(f, "load"),
         }
     }
