@@ -115,6 +115,11 @@ impl Scene {
         self.given_stiffness().into_iter().flat_map(|stiffness| stiffness.parts(self.beam.length()))
     }
 
+    /// Where the stiffness of an elastic foundation changes, from left to right \[length\].
+    pub(crate) fn ground_changes(&self) -> impl Iterator<Item = f64> + '_ {
+        self.ground_steps().windows(2).filter(|two| two[0][1].total_cmp(&two[1][1]).is_ne()).map(|two| two[1][0])
+    }
+
     /// `k` just left and just right of a place; rigid ground, and none, has the stiffness 0.
     #[must_use]
     pub fn ground_stiffness_beside(&self, x: f64) -> [f64; 2] {

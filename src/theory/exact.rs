@@ -157,7 +157,8 @@ impl Exact {
         let [left, right] = [false, true].map(|right| {
             if let Some(springs) = &self.springs {
                 let x = x / self.scale.length;
-                return -springs.part(x, right).sunk(x)[0];
+                let part = springs.part(x, right);
+                return if 0.0 < part.ground { -part.sunk(x)[0] } else { f64::INFINITY };
             }
             let (piece, place) = self.piece(x, right);
             // At a break the cell on the same side as the piece.
@@ -174,14 +175,21 @@ impl Exact {
     /// both sides count. Zero without a foundation \[length\].
     #[must_use]
     pub fn clearance_extremes(&self, from: f64, to: f64) -> Extremes {
+        self.clearance_above_ground(from, to).unwrap_or_default()
+    }
+
+    /// The same; [`None`] if there is nowhere a foundation.
+    pub(super) fn clearance_above_ground(&self, from: f64, to: f64) -> Option<Extremes> {
         if !self.given.founded {
-            return Extremes::default();
+            return None;
         }
         let Scale { length, depth, .. } = self.scale;
         if let Some(springs) = &self.springs {
-            return springs.clearance_extremes([from / length, to / length]).in_units(depth, length);
+            let extremes = springs.clearance_extremes([from / length, to / length])?;
+            return Some(extremes.in_units(depth, length));
         }
-        summary::clearance_extremes(&self.given, self.parts_between(from, to).iter()).in_units(depth, length)
+        let extremes = summary::clearance_extremes(&self.given, self.parts_between(from, to).iter());
+        Some(extremes.in_units(depth, length))
     }
 
     /// The greatest and the least moment from `from` to `to`, each an end of the beam or of a contact \[force · length\].

@@ -28,7 +28,7 @@ impl Exact {
         let (mut spans, mut from) = (Vec::new(), 0.0);
         for [start, end] in contacts.into_iter().chain([[length; 2]]) {
             if from < start {
-                let clearance = self.given.founded.then(|| self.clearance_extremes(from, start));
+                let clearance = self.clearance_above_ground(from, start);
                 spans.push(FreeSpan { from, to: start, clearance, moment: self.moment_extremes(from, start) });
             }
             from = from.max(end);
