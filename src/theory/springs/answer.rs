@@ -280,7 +280,8 @@ fn energy(given: &PiecewiseScene, parts: &[Part], springs: f64) -> f64 {
             0.5 * (bent * bent / part.stiffness + springs * part.ground * w * w) - given.load(cell, x) * v
         });
     }
-    let joints = given.divisions.iter().map(|&i| &given.breakpoints[i]).filter(|at| 0.0 < at.joint && at.joint.is_finite());
+    let joints =
+        given.divisions.iter().map(|&i| &given.breakpoints[i]).filter(|at| 0.0 < at.joint && at.joint.is_finite());
     let turned = joints.map(|at| {
         let bent = part_at(parts, at.x, false).beam(at.x)[2];
         0.5 * at.joint * bent * bent
