@@ -42,7 +42,7 @@ pub(super) fn carriers(grounded: bool, ends: [f64; 2]) -> String {
 /// Over what a beam turns whose loads are at a place outside these: its end on ground, and else the outermost support.
 pub(super) fn fulcrum(grounded: bool, ends: [f64; 2], at: f64) -> String {
     let (side, end) = if at < ends[0] { ("left", ends[0]) } else { ("right", ends[1]) };
-    if grounded { format!("its {side} end") } else { format!("its support at x = {}", shown(end)) }
+    if grounded { format!("the {side} end of the ground") } else { format!("its support at x = {}", shown(end)) }
 }
 
 /// To four significant digits.

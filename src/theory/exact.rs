@@ -358,8 +358,9 @@ impl Exact {
             let loaded = scene.load().concentrated().any(|acts| sits_at(acts.at, x));
             let supported = scene.beam().all_supports().iter().any(|support| sits_at(support.at, x));
             let inside = 0.0 < x && x < length;
+            let stiffened = scene.ground_changes().any(|at| sits_at(at, x));
             let joined = scene.beam().joints().iter().any(|joint| sits_at(joint.at, x));
-            if 0.0 < x && (!inside || jumps || loaded || supported || joined) {
+            if 0.0 < x && (!inside || jumps || loaded || supported || joined || stiffened) {
                 // Pressure is that of the right-hand side; a step to the left is that of the other.
                 let turned = scene.load().couple().iter().any(|load| sits_at(load.at, x));
                 let moment = if supported || turned { bent_left } else { bent_right };
@@ -380,6 +381,7 @@ impl Exact {
         places.extend(self.state.contacts.iter().flat_map(|c| [c.from, c.to]));
         places.extend(scene.load().places(length));
         places.extend(scene.beam().joints().iter().map(|joint| joint.at));
+        places.extend(scene.ground_changes());
         places.extend(scene.beam().all_supports().iter().map(|s| s.at).filter(|&at| 0.0 < at && at < length));
         for profile in scene.foundation().into_iter().chain(scene.beam().shape()) {
             if let Foundation::Polyline { points } = profile {
