@@ -94,7 +94,7 @@ impl Exact {
             scale,
             stiffness,
         };
-        // What is no solution shows the forces that its list has, tension among them.
+        // What is no solution shows the forces that its list has, those that pull among them.
         if solved { exact.with_touches(&nothing) } else { exact }
     }
 

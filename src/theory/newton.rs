@@ -250,9 +250,9 @@ fn apply(given: &PiecewiseScene, list: &mut List, rows: &[Row], brackets: &mut [
         let (mut lo, mut hi) = given.reach(node.cell);
         let x = node.x;
         if node.starts_zone() {
-            lo = lo.max(given.next_tension(x)[0]);
+            lo = lo.max(given.next_pulling(x)[0]);
         } else if node.ends_zone() {
-            hi = hi.min(given.next_tension(x)[1]);
+            hi = hi.min(given.next_pulling(x)[1]);
         }
         // Most of the way to a break of the profile, which is no place for a contact of this kind.
         (lo, hi) = (x + 0.9 * (lo - x), x + 0.9 * (hi - x));
