@@ -1,10 +1,9 @@
 //! What can be wrong with a scene: the quantity, its value and what is required of it.
 
 use super::balance::Unheld;
-use super::grid::MOST_FITTING;
 use super::quantity::{Profile, ProfileKey, Quantity};
 use super::scale::Scale;
-use super::written::{against, shown};
+use super::written::{against, fitting, shown};
 
 /// Why a scene was refused.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -376,16 +375,6 @@ impl SceneError {
             Self::Unheld(_) | Self::SupportBetweenNodes { .. } => Some(Quantity::Supports),
             Self::TooFewIntervals { .. } | Self::NoMemory { .. } | Self::NotKnown { .. } => None,
         }
-    }
-}
-
-/// What to do about a support between nodes.
-fn fitting(fits: Option<usize>) -> String {
-    match fits {
-        Some(least) => {
-            format!("the least number of intervals with a node at every support is {least} (--intervals {least})")
-        }
-        None => format!("no number of intervals up to {MOST_FITTING} has a node at every support"),
     }
 }
 

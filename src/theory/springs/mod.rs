@@ -16,6 +16,7 @@ mod bearings;
 mod chain;
 mod change;
 mod coarse;
+mod join;
 mod links;
 mod search;
 

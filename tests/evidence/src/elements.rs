@@ -70,9 +70,9 @@ struct Elements<'a> {
 }
 
 impl<'a> Elements<'a> {
-    fn of(scene: &'a Scene) -> Self {
+    fn of(scene: &'a Scene, elements: u32) -> Self {
         let length = scene.beam().length();
-        let mut nodes: Vec<f64> = (0..=ELEMENTS).map(|i| length * f64::from(i) / f64::from(ELEMENTS)).collect();
+        let mut nodes: Vec<f64> = (0..=elements).map(|i| length * f64::from(i) / f64::from(elements)).collect();
         nodes.extend(scene.beam().all_supports().iter().map(|support| support.at));
         nodes.extend(scene.beam().joints().iter().map(|joint| joint.at));
         nodes.extend(scene.beam().steps().iter().chain(scene.ground_steps()).map(|step| step[0]));
@@ -215,8 +215,14 @@ fn product(rows: &[[f64; BAND]], u: &[f64]) -> Vec<f64> {
 /// The beam of a scene on an elastic foundation; [`None`] where the sets go on changing.
 #[must_use]
 pub fn solved(scene: &Scene) -> Option<Found> {
+    solved_by(scene, ELEMENTS)
+}
+
+/// The same by so many elements.
+#[must_use]
+pub fn solved_by(scene: &Scene, elements: u32) -> Option<Found> {
     scene.ground_stiffness()?;
-    let elements = Elements::of(scene);
+    let elements = Elements::of(scene, elements);
     let mut always = Vec::new();
     for held in scene.held() {
         let [v, slope, _] = elements.freedoms[elements.node(held.at)];
