@@ -99,7 +99,9 @@ impl Exact {
         let mut all = Vec::new();
         all.extend(scene.foundation().map(|_| asked(By::Depth, Change::Ground, scale.depth, depth)));
         let stiffness = scene.beam().bending_stiffness();
-        all.push(number(Quantity::BendingStiffness, Change::Unload, stiffness, stiffness));
+        // Of steps each is a number of its own.
+        let is_uniform = scene.is_uniform("").is_ok();
+        all.extend(is_uniform.then(|| number(Quantity::BendingStiffness, Change::Unload, stiffness, stiffness)));
         let ground = scene.ground_stiffness().filter(|_| scene.ground_changes().next().is_none());
         all.extend(ground.map(|k| number(Quantity::GroundStiffness, Change::Stiffen, k, k)));
         let more = 1.0 / self.stiffness;

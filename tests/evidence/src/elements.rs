@@ -72,10 +72,14 @@ struct Elements<'a> {
 impl<'a> Elements<'a> {
     fn of(scene: &'a Scene, elements: u32) -> Self {
         let length = scene.beam().length();
-        let mut nodes: Vec<f64> = (0..=elements).map(|i| length * f64::from(i) / f64::from(elements)).collect();
+        let mut nodes = vec![0.0, length];
         nodes.extend(scene.beam().all_supports().iter().map(|support| support.at));
         nodes.extend(scene.beam().joints().iter().map(|joint| joint.at));
         nodes.extend(scene.beam().steps().iter().chain(scene.ground_steps()).map(|step| step[0]));
+        // None beside these: the stiffness of an element grows with the cube of how short it is.
+        let beside = |x: &f64| nodes.iter().any(|node| (node - x).abs() <= 0.25 * length / f64::from(elements));
+        let even: Vec<f64> = (1..elements).map(|i| length * f64::from(i) / f64::from(elements)).collect();
+        nodes.extend(even.into_iter().filter(|x| !beside(x)).collect::<Vec<f64>>());
         nodes.sort_by(f64::total_cmp);
         nodes.dedup_by(|a, b| (*a - *b).abs() <= 1e-9 * length);
         let own = |x: f64| scene.beam().shape().map_or(0.0, |shape| shape.depth(x));
