@@ -3,6 +3,7 @@
 use palkki::scene::Scene;
 use palkki::scene::file::{ReadProblem, parse};
 use palkki::theory::{self, Exact};
+use palkki::verdict::Status;
 
 fn solved(beam: &str, ground: &str) -> Exact {
     let text = format!("[beam]\nlength = 10.0\n{beam}\n[load]\nuniform = 1.0\n{ground}");
@@ -58,4 +59,21 @@ fn a_beam_lies_on_the_ground_beside_a_hinge() {
     let [point] = deep.state.contacts[..] else { panic!("{:?}", deep.state.contacts) };
     assert_eq!([point.from, point.to].map(f64::to_bits), [3.0_f64; 2].map(f64::to_bits));
     check(point.force, 5.0);
+}
+
+/// A kink of the beam in a joint is no kink of the ground: what is known of the clearance before the joint is not known of its slope
+/// beyond.
+#[test]
+fn a_beam_with_a_joint_above_ground_is_certified() {
+    for at in (1..20).map(|i| 0.5 * f64::from(i)) {
+        for stiffness in [1.0, 10.0, 1000.0] {
+            let text = format!(
+                "[beam]\nlength = 10.0\nbending_stiffness = 100.0\njoints = [{{ at = {at:?}, stiffness = {stiffness:?} }}]\n\
+                 [load]\nuniform = 1.0\n[foundation]\ndepth = 1.0\n"
+            );
+            let scene: Scene = parse("scene.toml", &text, |_| Err(ReadProblem::Missing)).expect("a scene");
+            let solution = palkki::solve_exactly(&scene).expect("an answer");
+            assert_eq!(solution.verdict.status, Status::Certified, "{text}");
+        }
+    }
 }
