@@ -73,7 +73,7 @@ type Between = [f64; 3];
 
 impl Block {
     /// The entries between this row and the one to its right.
-    fn to_the_right(&self) -> Between {
+    fn beside(&self) -> Between {
         [self.c, self.off, self.sigma]
     }
 
@@ -128,12 +128,12 @@ pub(crate) fn factor_towards<R: AsMut<Block>>(rows: &mut [R], meeting: usize, ra
     for row in left {
         let theta = ratio(row);
         let row = row.as_mut();
-        from_left = row.eliminate(from_left, theta, row.to_the_right());
+        from_left = row.eliminate(from_left, theta, row.beside());
     }
     let mut from_right = Carried::default();
     for i in (1..right.len()).rev() {
         let theta = ratio(&right[i]);
-        let between = right[i - 1].as_mut().to_the_right();
+        let between = right[i - 1].as_mut().beside();
         from_right = right[i].as_mut().eliminate(from_right, theta, between);
     }
     let Some(row) = right.first_mut() else { return };
@@ -159,12 +159,12 @@ pub(crate) fn solve_towards<R: AsMut<Block>>(rows: &mut [R], meeting: usize, rig
         let r = right(row);
         let row = row.as_mut();
         row.step = row.solved(less(r, from_left));
-        from_left = across(row.to_the_right(), row.step);
+        from_left = across(row.beside(), row.step);
     }
     let mut from_right = [0.0; 2];
     for i in (1..behind.len()).rev() {
         let r = right(&behind[i]);
-        let between = behind[i - 1].as_mut().to_the_right();
+        let between = behind[i - 1].as_mut().beside();
         let row = behind[i].as_mut();
         row.step = row.solved(less(r, from_right));
         from_right = across(between, row.step);
@@ -176,13 +176,13 @@ pub(crate) fn solve_towards<R: AsMut<Block>>(rows: &mut [R], meeting: usize, rig
     let (mut next, step) = (middle.step, middle.step);
     for row in before.iter_mut().rev() {
         let row = row.as_mut();
-        let [more_y, more_x] = row.solved(across(row.to_the_right(), next));
+        let [more_y, more_x] = row.solved(across(row.beside(), next));
         row.step = [row.step[0] - more_y, row.step[1] - more_x];
         next = row.step;
     }
     let mut next = step;
     for i in 1..behind.len() {
-        let between = behind[i - 1].as_mut().to_the_right();
+        let between = behind[i - 1].as_mut().beside();
         let row = behind[i].as_mut();
         let [more_y, more_x] = row.solved(across(between, next));
         row.step = [row.step[0] - more_y, row.step[1] - more_x];
