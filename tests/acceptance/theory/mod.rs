@@ -13,6 +13,7 @@ mod explain;
 mod general;
 mod giving;
 mod ground;
+mod hinges;
 mod level;
 mod long;
 mod near;
