@@ -394,10 +394,5 @@ fn grids_refuse_steps_and_joints() {
         }
         let exact = palkki::theory::solve(&scene).expect("an answer");
         assert!(exact.derivatives(&scene).is_empty());
-        let soft = scene.on_springs(10.0).expect("positive");
-        let exact = palkki::theory::solve(&soft).expect("an answer");
-        assert!(
-            exact.solved && exact.derivatives(&soft).iter().all(|of| of.by.to_string() != "beam.bending_stiffness")
-        );
     }
 }
