@@ -11,6 +11,13 @@
 //! d = a g + h²,   a' = Θ' + (a c² + 2 c h σ − g σ²)/d,   g' = w' + (g c² + 2 c h ω − a ω²)/d
 //! e' = η' + (c (a (g + ω) + h e) + σ (c g + h ω))/d
 //! ```
+//!
+//! A row may be a spring of the stiffness `k` against turning instead, between a place and itself: `y` is the same before and behind it,
+//! and `x` falls by `k ψ` from left to right with the slope `ψ = e y + g x + …` that the chain on its left has there. Nothing cancels:
+//!
+//! ```text
+//! s = 1/(1 + k g):     a' = a + k s e²,   e' = s e,   g' = s g
+//! ```
 
 /// Large enough to fix the variable of its row to all digits: a power of two, so that nothing else is rounded.
 pub(crate) const PENALTY: f64 = f64::from_bits(0x52b0_0000_0000_0000);
@@ -27,6 +34,8 @@ pub(crate) struct Block {
     /// The same of `Θ`, `σ`, and what `B` has more on its diagonal, `η`: of a beam on springs.
     sigma: f64,
     eta: f64,
+    /// Of a spring against turning its stiffness `k`; its `w` is that of the chain on its left.
+    turning: f64,
     /// Pivot block `[[a, −h], [−h, −g]]` and `1/(a g + h²)`.
     a: f64,
     h: f64,
@@ -45,6 +54,11 @@ impl Block {
     /// The same on springs.
     pub(crate) fn on_springs(self, sigma: f64, eta: f64) -> Self {
         Self { sigma, eta, ..self }
+    }
+
+    /// A spring against turning, as a row of its own before that of its place.
+    pub(crate) fn turning(self, stiffness: f64) -> Self {
+        Self { turning: stiffness, ..self }
     }
 
     /// The pivot, if it is no positive number, or if the solution is none.
@@ -67,6 +81,13 @@ pub(crate) fn factor<R: AsMut<Block>>(rows: &mut [R], ratio: impl Fn(&R) -> f64)
     for row in rows {
         let theta = ratio(row);
         let row = row.as_mut();
+        if 0.0 < row.turning {
+            (row.h, row.g) = (e, g + row.w);
+            row.inverse = 1.0 / (1.0 + row.turning * row.g);
+            a += row.turning * row.inverse * e * e;
+            (e, g) = (e * row.inverse, row.g * row.inverse);
+            continue;
+        }
         row.a = a + theta;
         e += row.eta;
         row.h = row.c + e;
@@ -88,12 +109,23 @@ pub(crate) fn solve<R: AsMut<Block>>(rows: &mut [R], right: impl Fn(&R) -> [f64;
         let [r1, r2] = right(row);
         let row = row.as_mut();
         let (y1, y2) = (r1 - carry[0], r2 - carry[1]);
+        if 0.0 < row.turning {
+            row.step = [0.0, y2];
+            carry = [row.turning * row.inverse * row.h * y2 - y1, -(row.inverse * y2)];
+            continue;
+        }
         row.step = [(row.g * y1 - row.h * y2) * row.inverse, -(row.h * y1 + row.a * y2) * row.inverse];
         carry = [row.sigma * row.step[0] + row.c * row.step[1], row.c * row.step[0] - row.off * row.step[1]];
     }
     let mut next = [0.0; 2];
     for row in rows.iter_mut().rev() {
         let row = row.as_mut();
+        if 0.0 < row.turning {
+            let [y, x] = next;
+            row.step = [y, row.inverse * x - row.turning * row.inverse * (row.h * y + row.step[1])];
+            next = row.step;
+            continue;
+        }
         let (y1, y2) = (row.sigma * next[0] + row.c * next[1], row.c * next[0] - row.off * next[1]);
         row.step[0] -= (row.g * y1 - row.h * y2) * row.inverse;
         row.step[1] += (row.h * y1 + row.a * y2) * row.inverse;
