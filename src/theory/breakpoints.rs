@@ -5,7 +5,7 @@ use super::piecewise::{AtSpring, AtSupport, Breakpoint, Cell, PiecewiseScene};
 use super::pull::pulling_stretches;
 use super::shape::Shape;
 use crate::scene::pieces::without_collinear_points;
-use crate::scene::{Beam, Bearing, Concentrated, Foundation, Held, Load, Scene, Spring, polynomial};
+use crate::scene::{Bearing, Concentrated, Foundation, Held, Load, Scene, Spring, polynomial};
 
 /// A cosine is cut into cells of at most this angle \[rad\]: 22 terms of its Taylor series are then exact to
 /// `0.8²²/22! < 10⁻²³`, and its fourth derivative to `0.8¹⁸/18! < 10⁻¹⁷`.
@@ -38,8 +38,8 @@ impl PiecewiseScene {
         break_at(&alone, length, &mut shapes, &mut breaks);
         let ends: Vec<f64> = breaks.iter().map(|b| b.x).collect();
         let load = scene.load();
-        let places = places(&[Some(foundation), own], load, scene.beam(), &ends);
-        let cells = cells(load, scene.beam(), &places, &ends);
+        let places = places(&[Some(foundation), own], load, scene, &ends);
+        let cells = cells(load, scene, &places, &ends);
         let mut breakpoints = breakpoints(load, stiffness, &places, &cells, &shapes, &breaks);
         for joint in scene.beam().joints() {
             let flexibility = joint.stiffness.map_or(f64::INFINITY, |k| stiffness / k);
@@ -140,8 +140,9 @@ fn at_spring(places: &[f64], stiffness: f64, spring: &Spring, acts: bool) -> AtS
 }
 
 /// Breakpoints of profile, supports and load from end to end; the smooth pieces of the profile end at `ends`.
-fn places(profiles: &[Option<&Foundation>], load: &Load, beam: &Beam, ends: &[f64]) -> Vec<f64> {
-    let mut places = ends.to_vec();
+fn places(profiles: &[Option<&Foundation>], load: &Load, scene: &Scene, ends: &[f64]) -> Vec<f64> {
+    let (mut places, beam) = (ends.to_vec(), scene.beam());
+    places.extend(scene.ground_changes());
     let supports = beam.supports().iter().chain(beam.bearings()).chain(beam.springs());
     places.extend(supports.map(|support| support.at));
     places.extend(load.places(beam.length()));
@@ -182,7 +183,8 @@ fn break_at(places: &[f64], length: f64, shapes: &mut Vec<Shape>, breaks: &mut V
 }
 
 /// What is between the breakpoints.
-fn cells(load: &Load, beam: &Beam, places: &[f64], ends: &[f64]) -> Vec<Cell> {
+fn cells(load: &Load, scene: &Scene, places: &[f64], ends: &[f64]) -> Vec<Cell> {
+    let beam = scene.beam();
     let (length, least) = (beam.length(), beam.bending_stiffness());
     let cell = |w: &[f64]| {
         let (lo, hi) = (w[0], w[1]);
@@ -193,7 +195,8 @@ fn cells(load: &Load, beam: &Beam, places: &[f64], ends: &[f64]) -> Vec<Cell> {
             slope += (q.end - q.start) / (q.to - q.from);
         }
         let stiffness = beam.stiffness_between(lo, hi) / least;
-        Cell { lo, hi, shape, load: at_lo / least, load_slope: slope / least, stiffness }
+        let ground = scene.ground_stiffness().map_or(1.0, |greatest| scene.ground_stiffness_beside(lo)[1] / greatest);
+        Cell { lo, hi, shape, load: at_lo / least, load_slope: slope / least, stiffness, ground }
     };
     places.windows(2).map(cell).collect()
 }

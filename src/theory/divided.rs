@@ -218,8 +218,9 @@ pub(super) fn overhang(given: &PiecewiseScene, held: End, slope: f64, at_left: b
         let (next, turned) = (level + chord * l, -sign * (chord + far_turn));
         let beam = [[level, slope, bent[0], sign * here.force], [next, turned, bent[1], sign * (beyond.force + force)]];
         let mut at = [difference(&profiles[0], &beam[0]), difference(&profiles[1], &beam[1])];
+        at[0][0] = near.hold.height();
         if near.hold == EndCondition::Resting {
-            (at[0][0], at[0][1]) = (0.0, 0.0);
+            at[0][1] = 0.0;
         }
         let order = if at_left { [1, 0] } else { [0, 1] };
         let ends = [near, far];
