@@ -117,7 +117,7 @@ fn bent(given: &Scene, places: &Grid, first: usize, forces: Vec<f64>) -> Result<
     let grid = Grid::uniform(scene, intervals)?;
     let supports: Vec<Option<usize>> = beam.supports().iter().map(|support| grid.node_at(support.at)).collect();
     let point = |(i, force): (usize, f64)| PointLoad { at: grid.place(i), force };
-    let points = grid.nodal_loads(scene.load()).into_iter().enumerate().map(point).collect();
+    let points = grid.nodal_loads(scene).into_iter().enumerate().map(point).collect();
     let load = Load::new(beam, 0.0, Vec::new(), points)?;
     let lumped = Scene::above(beam.clone(), load, scene.foundation().cloned(), scene.ground_stiffness())?;
     // Supports have any force, and what stands on them is none of theirs.

@@ -274,14 +274,16 @@ pub enum SceneError {
         /// What it came to.
         value: f64,
     },
-    /// A support between the nodes of a grid.
-    #[error("no node of {intervals} equal intervals lies on the support at x = {}; {}", shown(*at), fitting(*fits))]
-    SupportBetweenNodes {
-        /// Where the support is.
+    /// What a grid needs a node for lies between its nodes.
+    #[error("no node of {intervals} equal intervals lies on {} at x = {}; {}", placed(*quantity), shown(*at), fitting(*fits))]
+    BetweenNodes {
+        /// The supports, a joint, or a step of the bending stiffness.
+        quantity: Quantity,
+        /// Where it is.
         at: f64,
         /// The number of intervals asked for.
         intervals: usize,
-        /// The least number that has a node at every support, if it is not too large.
+        /// The least number that has a node at each of them, if it is not too large.
         fits: Option<usize>,
     },
     /// A grid without interior nodes.
@@ -305,8 +307,8 @@ impl SceneError {
     #[must_use]
     pub fn in_units_of(self, scale: &Scale) -> Self {
         match self {
-            Self::SupportBetweenNodes { at, intervals, fits } => {
-                Self::SupportBetweenNodes { at: at * scale.length, intervals, fits }
+            Self::BetweenNodes { quantity, at, intervals, fits } => {
+                Self::BetweenNodes { quantity, at: at * scale.length, intervals, fits }
             }
             other => other,
         }
@@ -342,19 +344,28 @@ impl SceneError {
             Self::CornerAtBuiltIn { .. } => Some(Quantity::Profile(Profile::Shape, ProfileKey::Whole)),
             Self::NeedsRigidGround { .. } => Some(Quantity::GroundStiffness),
             Self::NoSteps => Some(Quantity::BendingStiffness),
-            Self::Unheld(_) | Self::SupportBetweenNodes { .. } => Some(Quantity::Supports),
+            Self::BetweenNodes { quantity, .. } => Some(quantity),
+            Self::Unheld(_) => Some(Quantity::Supports),
             Self::TooFewIntervals { .. } | Self::NoMemory { .. } | Self::NotKnown { .. } => None,
         }
     }
 }
 
-/// What to do about a support between nodes.
+/// What stands at a place that a grid needs a node for.
+fn placed(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::JointAt(_) => "the joint",
+        Quantity::StepAt(_) => "the change of the bending stiffness",
+        _ => "the support",
+    }
+}
+
+/// What to do about a place between nodes.
 fn fitting(fits: Option<usize>) -> String {
+    const PLACES: &str = "a node at every support, joint and change of the bending stiffness";
     match fits {
-        Some(least) => {
-            format!("the least number of intervals with a node at every support is {least} (--intervals {least})")
-        }
-        None => format!("no number of intervals up to {MOST_FITTING} has a node at every support"),
+        Some(least) => format!("the least number of intervals with {PLACES} is {least} (--intervals {least})"),
+        None => format!("no number of intervals up to {MOST_FITTING} has {PLACES}"),
     }
 }
 
