@@ -158,9 +158,6 @@ impl ContactSet {
         else {
             return Err(NotPositiveDefinite { index: 0, pivot: 0.0 });
         };
-        if discrete.divisions().has_hinges() && self.overhangs == [true; 2] && self.moves(discrete) {
-            return Err(NotPositiveDefinite { index: 0, pivot: 0.0 });
-        }
         let span = move |first: usize, last: usize| {
             let span = match last - first {
                 0 => return Span::default(),
@@ -181,7 +178,17 @@ impl ContactSet {
         } else {
             [self.moments(discrete, discretisation, &span, outermost)?, Vec::new()]
         };
-        Ok(Beam { discrete, discretisation, span, nodes: self.nodes, free: self.free, moments, sunk, overhangs, beyond })
+        Ok(Beam {
+            discrete,
+            discretisation,
+            span,
+            nodes: self.nodes,
+            free: self.free,
+            moments,
+            sunk,
+            overhangs,
+            beyond,
+        })
     }
 
     /// Takes away the nodes beyond the outermost ones that hold the beam, on both sides, from there on.
@@ -193,18 +200,6 @@ impl ContactSet {
         let mut left: Vec<usize> = self.nodes.drain(..left.min(self.nodes.len())).collect();
         left.reverse();
         [left, right]
-    }
-
-    /// Whether a part of the beam between two hinges can move.
-    fn moves(&self, discrete: &Discrete) -> bool {
-        let mut held: Vec<(usize, usize)> = Vec::with_capacity(self.nodes.len());
-        for &node in self.nodes.iter().filter(|node| !self.is_free(**node)) {
-            match held.last_mut().filter(|last| last.0 == node) {
-                Some(last) => last.1 += 1,
-                None => held.push((node, 1)),
-            }
-        }
-        !discrete.missing(&held).is_empty()
     }
 
     /// The nodes.

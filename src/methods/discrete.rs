@@ -306,7 +306,8 @@ impl Discrete {
     /// structure for forces in balance.
     pub(super) fn basic(&self, loads: Vec<f64>) -> Self {
         let missing = self.missing(&self.supports.holds());
-        let supports = if self.divisions.has_hinges() { self.supports.and_at(&missing) } else { self.supports.completed() };
+        let supports =
+            if self.divisions.has_hinges() { self.supports.and_at(&missing) } else { self.supports.completed() };
         Self { ground: None, ..self.on(supports, loads) }
     }
 

@@ -11,6 +11,10 @@
 use crate::qp::blocks::PENALTY;
 use crate::scene::{Grid, Quantity, Scene, SceneError};
 
+/// A hinge in a part of the beam that nothing holds is a joint so many times as soft as an interval: few digits of the rest are left then,
+/// but where it goes can be seen.
+pub(super) const LOOSE: f64 = 1e12;
+
 /// Bending stiffness and joints at the nodes of a grid.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Divisions {
@@ -136,13 +140,16 @@ mod tests {
     /// Of the lines that a beam of rigid parts can be, with a corner in each hinge, how many are zero at all nodes that hold it.
     fn motions(hinges: &[usize], held: &[(usize, usize)]) -> usize {
         let unknowns = hinges.len() + 2;
-        let rows: Vec<Vec<f64>> = held.iter().flat_map(|&(node, holds)| {
-            let corner = |hinge: &usize| as_float(node.saturating_sub(*hinge));
-            let line = [1.0, as_float(node)].into_iter().chain(hinges.iter().map(corner)).collect();
-            let turn = |hinge: &usize| f64::from(u8::from(hinge < &node));
-            let slope = [0.0, 1.0].into_iter().chain(hinges.iter().map(turn)).collect();
-            [line, slope].into_iter().take(holds)
-        }).collect();
+        let rows: Vec<Vec<f64>> = held
+            .iter()
+            .flat_map(|&(node, holds)| {
+                let corner = |hinge: &usize| as_float(node.saturating_sub(*hinge));
+                let line = [1.0, as_float(node)].into_iter().chain(hinges.iter().map(corner)).collect();
+                let turn = |hinge: &usize| f64::from(u8::from(hinge < &node));
+                let slope = [0.0, 1.0].into_iter().chain(hinges.iter().map(turn)).collect();
+                [line, slope].into_iter().take(holds)
+            })
+            .collect();
         let matrix = DMatrix::from_fn(rows.len(), unknowns, |i, j| rows[i][j]);
         unknowns - if rows.is_empty() { 0 } else { matrix.rank(1e-9) }
     }
@@ -155,12 +162,17 @@ mod tests {
         for pattern in 0..1_usize << 12 {
             let is_in = |bits: usize, node: usize| bits >> node & 1 == 1;
             // Hinges at 2, 3 and 6, not where the beam is built in, and six nodes that may hold it.
-            let hinges: Vec<usize> = [2, 3, 6].into_iter().enumerate().filter(|(k, _)| is_in(pattern, *k)).map(|(_, node)| node).collect();
+            let hinges: Vec<usize> =
+                [2, 3, 6].into_iter().enumerate().filter(|(k, _)| is_in(pattern, *k)).map(|(_, node)| node).collect();
             let nodes = [0, 2, 3, 4, 6, 8].into_iter().enumerate().filter(|(k, _)| is_in(pattern, k + 3));
-            let wall = [(9, 1), (10, 5), (11, 7)].into_iter().filter(|(bit, _)| is_in(pattern, *bit)).map(|(_, node)| (node, 2));
+            let wall = [(9, 1), (10, 5), (11, 7)]
+                .into_iter()
+                .filter(|(bit, _)| is_in(pattern, *bit))
+                .map(|(_, node)| (node, 2));
             let mut held: Vec<(usize, usize)> = nodes.map(|(_, node)| (node, 1)).chain(wall).collect();
             held.sort_unstable();
-            let divisions = Divisions { joints: hinges.iter().map(|node| (*node, PENALTY)).collect(), ..Divisions::default() };
+            let divisions =
+                Divisions { joints: hinges.iter().map(|node| (*node, PENALTY)).collect(), ..Divisions::default() };
             let missing = divisions.unheld(&held, INTERVALS);
             assert_eq!(missing.is_empty(), motions(&hinges, &held) == 0, "{hinges:?} {held:?}: {missing:?}");
             held.extend(missing.iter().map(|node| (*node, 1)));

@@ -11,12 +11,12 @@
 use std::ops::Range;
 
 use super::contact_set::ContactSet;
+use super::discrete::as_float;
+use super::divisions::LOOSE;
 use super::span::Span;
 use super::{Discrete, statics};
-use super::discrete::as_float;
 use crate::memory::zeros;
 use crate::qp::NotPositiveDefinite;
-use crate::qp::blocks::PENALTY;
 use crate::state::{Discretisation, larger_moment};
 
 /// Rounding of a contact force or a clearance, in units in the last place of the numbers that it is a difference of: a
@@ -160,9 +160,7 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         let mut stretches = Vec::with_capacity(1 + self.beyond[side].len());
         let mut root = (here, moment, level);
         for &node in self.beyond[side].iter().chain([&tip]) {
-            let joint = self.discrete.divisions().joint(root.0);
-            // The part beyond a hinge has no moment there, and something that holds it.
-            slope += if 0.0 < joint && joint < PENALTY { 6.0 * joint * root.1 / unit } else { 0.0 };
+            slope += 6.0 * self.discrete.divisions().joint(root.0).min(LOOSE) * root.1 / unit;
             let span = (self.span)(root.0.min(node), root.0.max(node));
             let beyond = if node == tip {
                 0.0
@@ -199,7 +197,8 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
                 self.clearances_in(&self.stretch(i), range, clearance, &mut buffer);
             }
         }
-        for (i, node) in self.nodes.iter().enumerate().filter(|(_, node)| range.contains(node) && self.is_free(**node)) {
+        for (i, node) in self.nodes.iter().enumerate().filter(|(_, node)| range.contains(node) && self.is_free(**node))
+        {
             let bent = self.bent(&self.stretch(i));
             clearance[node - range.start] = self.clearance_of(*node, self.level(i), 0.0, bent);
         }
@@ -306,7 +305,8 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         let spacing = self.discrete.spacing;
         let mut moments = zeros(self.discrete.intervals + 1);
         let stretches = (0..self.nodes.len() - 1).map(|i| (self.stretch(i), None));
-        let overhangs = (0..2).flat_map(|side| self.overhang(side).into_iter().map(move |stretch| (stretch, Some(side))));
+        let overhangs =
+            (0..2).flat_map(|side| self.overhang(side).into_iter().map(move |stretch| (stretch, Some(side))));
         for (Stretch { nodes: [first, last], moments: ends, .. }, tip) in stretches.chain(overhangs) {
             if first < last {
                 let (loads, inner) = (&self.discrete.loads[first + 1..last], &mut moments[first + 1..last]);

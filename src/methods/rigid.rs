@@ -105,28 +105,11 @@ impl Discrete {
     /// Makes contact at these nodes the only one, if the nodes in contact do not hold the beam. The variable of a node in contact is
     /// free if `in_contact`; `node` is that of a variable.
     pub(crate) fn hold(&self, free: &mut FreeSet, in_contact: bool, node: impl Fn(usize) -> usize) {
-        if self.divisions().has_hinges() {
-            return self.hold_parts(free, in_contact, node);
-        }
         let lacking = self.supports().lacking();
         let touches = |&(i, free): &(usize, bool)| free == in_contact && self.supports().at(node(i)).is_none();
         if 0 < lacking && free.iter().enumerate().filter(touches).take(lacking).count() < lacking {
             let resting = self.resting();
             *free = (0..free.dimension()).map(|i| resting.contains(&node(i)) == in_contact).collect();
-        }
-    }
-
-    /// The same of a beam with hinges: makes more contact, at hinges and ends of the beam or as near to them as it may touch, until no part
-    /// between two hinges moves.
-    fn hold_parts(&self, free: &mut FreeSet, in_contact: bool, node: impl Fn(usize) -> usize) {
-        let touches = free.iter().enumerate().filter(|(_, free)| *free == in_contact).map(|(i, _)| (node(i), 1));
-        let mut held: Vec<(usize, usize)> = touches.filter(|(node, _)| self.supports().at(*node).is_none()).collect();
-        held.extend(self.supports().holds());
-        held.sort_unstable();
-        for missing in self.missing(&held) {
-            let may_touch = |i: &usize| self.supports().at(node(*i)).is_none() && !self.is_open_at(node(*i));
-            let nearest = (0..free.dimension()).filter(may_touch).min_by_key(|i| node(*i).abs_diff(missing));
-            nearest.into_iter().for_each(|i| free.set(i, in_contact));
         }
     }
 

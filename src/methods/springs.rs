@@ -16,9 +16,12 @@
 //! Eliminating `s` would give five-moment equations, whose condition number grows like `1/κ`. At a support, one that only pushes among them, `κ = ∞`; at the outermost
 //! nodes the moment is known.
 
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+
 use super::Discrete;
 use super::contact_set::ContactSet;
 use super::discrete::as_float;
+use super::divisions::LOOSE;
 use super::span::{Span, links};
 use crate::qp::NotPositiveDefinite;
 use crate::qp::blocks::{self, Block, PENALTY};
@@ -49,7 +52,7 @@ pub(super) fn solve(
     let Discrete { spacing, stiffness, .. } = *discrete;
     let (unit, curved) = (spacing * spacing * spacing / stiffness, stiffness / (spacing * spacing));
     let nodes = list.nodes();
-    let mut rows = Vec::with_capacity(nodes.len());
+    let (mut rows, mut soft) = (Vec::with_capacity(nodes.len()), Vec::new());
     let (mut left, end, mut before) = (Span::default(), nodes.len() - 1, nodes[0]);
     for (i, &node) in nodes.iter().enumerate() {
         let right = nodes.get(i + 1).map_or_else(Span::default, |next| span(node, *next));
@@ -63,7 +66,10 @@ pub(super) fn solve(
             // Of the line through the places that hold the beam, from which the others count.
             let bend = if is_free { 0.0 } else { discrete.bend(before, node, next_held(list, i)) };
             let joint = discrete.divisions().joint(node);
-            [w + joint, if joint < PENALTY { turned + curved * bend } else { 0.0 }, 0.0]
+            if SOFT < joint {
+                soft.push((i, 1.0 / joint));
+            }
+            [if SOFT < joint { w } else { w + joint }, turned + curved * bend, 0.0]
         } else {
             let [moment, force] = outermost[usize::from(0 < i)];
             [PENALTY, -PENALTY * moment, force]
@@ -81,6 +87,7 @@ pub(super) fn solve(
     }
     blocks::factor(&mut rows, |row| row.spring);
     blocks::solve(&mut rows, |row| row.right);
+    turn(&mut rows, &soft)?;
     if let Some((index, pivot)) = rows.iter().enumerate().find_map(|(i, row)| Some((i, row.block.failed()?))) {
         return Err(NotPositiveDefinite { index, pivot });
     }
@@ -92,6 +99,58 @@ pub(super) fn solve(
         if discrete.divisions().is_hinge(*node) { 0.0 } else { row.block.step[1] + 0.0 }
     };
     Ok([rows.iter().zip(nodes).map(moment).collect(), sunk])
+}
+
+/// Joints that are this many times as soft as an interval turn by an unknown of their own. As a part of `c(M)`, next to each other, they
+/// would take as many digits from the elimination: it loses none as long as whatever is on one side of a place holds it.
+const SOFT: f64 = 1e3;
+
+/// Turns a beam without its soft joints in these, each with its stiffness, by `κ M = q` to the right-hand side of its second equation:
+///
+/// ```text
+/// M + G q = q/κ      M of the loads, G of a unit turn in each joint
+/// ```
+///
+/// On contacts that let parts between hinges move, hinges are stiff by a very small amount. What moves then leaves the beam so far below
+/// the ground that a search finds contact there.
+fn turn(rows: &mut [Row], soft: &[(usize, f64)]) -> Result<(), NotPositiveDefinite> {
+    /// The second time for what rounding left.
+    const TIMES: usize = 2;
+    if soft.is_empty() {
+        return Ok(());
+    }
+    let steps = |rows: &[Row]| rows.iter().map(|row| row.block.step).collect::<Vec<_>>();
+    let mut sum = steps(rows);
+    let mut turned = Vec::with_capacity(soft.len());
+    for (i, _) in soft {
+        rows.iter_mut().for_each(|row| row.right = [0.0; 2]);
+        rows[*i].right = [0.0, 1.0];
+        blocks::solve(rows, |row| row.right);
+        turned.push(steps(rows));
+    }
+    let entry = |k: usize, j: usize| {
+        let [response, other] = [turned[j][soft[k].0][1], turned[k][soft[j].0][1]];
+        -0.5 * (response + other) + if k == j { soft[k].1 } else { 0.0 }
+    };
+    let matrix = DMatrix::from_fn(soft.len(), soft.len(), entry);
+    let least = matrix.diagonal().amax() / LOOSE;
+    let stiffened = &matrix + DMatrix::identity(soft.len(), soft.len()) * least;
+    let sound = |factor: &Cholesky<f64, Dyn>| {
+        least < factor.l_dirty().diagonal().iter().fold(f64::INFINITY, |m, d| m.min(d * d))
+    };
+    let factor = matrix.cholesky().filter(sound).or_else(|| stiffened.cholesky());
+    let factor = factor.ok_or(NotPositiveDefinite { index: soft[0].0, pivot: 0.0 })?;
+    let mut turns = DVector::zeros(soft.len());
+    for _ in 0..TIMES {
+        let missing = DVector::from_fn(soft.len(), |k, _| sum[soft[k].0][1] - soft[k].1 * turns[k]);
+        let more = factor.solve(&missing);
+        for (turned, more) in turned.iter().zip(more.iter()) {
+            sum.iter_mut().zip(turned).for_each(|(sum, turned)| (0..2).for_each(|k| sum[k] += more * turned[k]));
+        }
+        turns += more;
+    }
+    rows.iter_mut().zip(sum).for_each(|(row, step)| row.block.step = step);
+    Ok(())
 }
 
 /// The next node of a list that holds the beam.
