@@ -170,7 +170,14 @@ impl Supports {
     pub(super) fn and_at(&self, nodes: &[usize]) -> Self {
         let ghost = |node: &usize| NodeSupport {
             node: *node,
-            held: Held { at: 0.0, deflection: 0.0, slope: None, at_level: [false; 2], tangent: [false; 2] },
+            held: Held {
+                at: 0.0,
+                deflection: 0.0,
+                slope: None,
+                turning: None,
+                at_level: [false; 2],
+                tangent: [false; 2],
+            },
             below: 0.0,
         };
         let mut all: Vec<NodeSupport> = self.all.iter().copied().chain(nodes.iter().map(ghost)).collect();
