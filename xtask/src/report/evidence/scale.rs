@@ -11,10 +11,10 @@ const EXACT: Route = ROUTES[0];
 const ACTIVE_SET: Route = ROUTES[1];
 const INTERIOR_POINT: Route = ROUTES[2];
 
-/// A route in tables and figures: its name, and its look; the exact solution is blue, as everything is that is computed.
+/// A route in tables and figures: its name, and its look; the grid-free solution is blue, as everything is that is computed.
 fn look(route: Route) -> (&'static str, Style) {
     let (name, color, marker, dash) = match route {
-        EXACT => ("exact", Color::BLUE, Marker::Circle, Dash::Solid),
+        EXACT => ("grid-free", Color::BLUE, Marker::Circle, Dash::Solid),
         INTERIOR_POINT => ("clarabel", Color::GREEN, Marker::Triangle, Dash::DashDot),
         _ => ("active set", Color::VERMILLION, Marker::Square, Dash::Dashed),
     };
@@ -105,7 +105,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
 
 /// Seconds of a solve and of the whole program, and its megabytes, of every route on some surveys.
 fn table<'a>(surveys: impl Iterator<Item = &'a Measured<'a>>) -> Table {
-    let header = ["ground and load", "points", "contacts"].map(str::to_owned);
+    let header = ["foundation and load", "points", "contacts"].map(str::to_owned);
     let routes = ROUTES.map(|route| format!("{}, s; whole process, s (MB)", look(route).0));
     let rows = surveys.map(|survey| {
         let shown = survey.lines.map(|line| match line {
@@ -121,7 +121,7 @@ fn table<'a>(surveys: impl Iterator<Item = &'a Measured<'a>>) -> Table {
         let off = error_cell(survey.solved(ACTIVE_SET).and_then(|line| line.energy_total));
         [survey.name(), count(survey.survey.points), contacts].into_iter().chain(shown).chain([off]).collect::<Vec<_>>()
     });
-    Table::new(header.into_iter().chain(routes).chain(["energy of the grid off by".to_owned()])).rows(rows)
+    Table::new(header.into_iter().chain(routes).chain(["energy difference".to_owned()])).rows(rows)
 }
 
 /// Seconds over points, both logarithmic, with a panel for each ground and load.
