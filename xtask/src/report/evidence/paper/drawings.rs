@@ -6,10 +6,9 @@ use palkki_evidence::closed::FlatSolution;
 
 // Discrepancy: figures-redrawn
 //
-// The drawings of the paper's figures are lost, and the text speaks of contact pressure. Figures 4 and 7 show contact forces
-// at the nodes instead, so that they and the point force of beam theory at the lift-off point are read on one axis; a force
-// over the spacing is a pressure. Further panels show the left lift-off point larger, and the sum of the contact forces from the
-// left end; in Figure 8 the difference from beam theory.
+// The text speaks of contact pressure. Figures 4 and 7 show nodal contact forces instead, on one axis with the concentrated force of
+// beam theory; a force over the spacing is a pressure. Further panels show the left lift-off point, and the sum of the contact forces
+// from the left end; in Figure 8 the difference from beam theory.
 
 /// Digits of a value that is written beside the point that it belongs to.
 const DIGITS: usize = 4;
