@@ -3,7 +3,7 @@
 use super::balance::Unheld;
 use super::quantity::{Profile, ProfileKey, Quantity};
 use super::scale::Scale;
-use super::written::{against, fitting, shown};
+use super::written::{against, fitting, placed, shown};
 
 /// Why a scene was refused.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -302,14 +302,16 @@ pub enum SceneError {
         /// What it came to.
         value: f64,
     },
-    /// A support between the nodes of a grid.
-    #[error("no node of {intervals} equal intervals lies on the support at x = {}; {}", shown(*at), fitting(*fits))]
-    SupportBetweenNodes {
-        /// Where the support is.
+    /// What a grid needs a node for lies between its nodes.
+    #[error("no node of {intervals} equal intervals lies on {} at x = {}; {}", placed(*quantity), shown(*at), fitting(*fits))]
+    BetweenNodes {
+        /// The supports, a joint, or a step of the bending stiffness.
+        quantity: Quantity,
+        /// Where it is.
         at: f64,
         /// The number of intervals asked for.
         intervals: usize,
-        /// The least number that has a node at every support, if it is not too large.
+        /// The least number that has a node at each of them, if it is not too large.
         fits: Option<usize>,
     },
     /// A grid without interior nodes.
@@ -333,8 +335,8 @@ impl SceneError {
     #[must_use]
     pub fn in_units_of(self, scale: &Scale) -> Self {
         match self {
-            Self::SupportBetweenNodes { at, intervals, fits } => {
-                Self::SupportBetweenNodes { at: at * scale.length, intervals, fits }
+            Self::BetweenNodes { quantity, at, intervals, fits } => {
+                Self::BetweenNodes { quantity, at: at * scale.length, intervals, fits }
             }
             other => other,
         }
@@ -372,7 +374,8 @@ impl SceneError {
             Self::CornerAtBuiltIn { .. } => Some(Quantity::Profile(Profile::Shape, ProfileKey::Whole)),
             Self::NeedsRigidGround { .. } | Self::NoGroundAnywhere => Some(Quantity::GroundStiffness),
             Self::NoSteps { of } => Some(of),
-            Self::Unheld(_) | Self::SupportBetweenNodes { .. } => Some(Quantity::Supports),
+            Self::BetweenNodes { quantity, .. } => Some(quantity),
+            Self::Unheld(_) => Some(Quantity::Supports),
             Self::TooFewIntervals { .. } | Self::NoMemory { .. } | Self::NotKnown { .. } => None,
         }
     }

@@ -50,6 +50,20 @@ impl Scene {
         }
     }
 
+    /// Whether all moments of the beam follow from forces that are given: there is no hinge, and on ground that gives there are neither steps
+    /// of the bending stiffness nor joints.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::NotKnown`] if not, naming what asked for it.
+    pub fn bends_under_forces(&self, what: &'static str) -> Result<(), SceneError> {
+        if self.ground_stiffness().is_some() {
+            return self.is_uniform(what);
+        }
+        let hinge = self.beam.joints().iter().find(|joint| joint.stiffness.is_none());
+        hinge.map_or(Ok(()), |_| Err(SceneError::NotKnown { what, feature: "hinges" }))
+    }
+
     /// Whether no support of the beam gives.
     ///
     /// # Errors

@@ -98,6 +98,11 @@ impl Exact {
         if solved { exact.with_touches(&nothing) } else { exact }
     }
 
+    /// Which of the supports that give act.
+    pub(super) fn acting(&self) -> Vec<bool> {
+        self.given.springs.iter().map(|spring| spring.acts).collect()
+    }
+
     /// With what the supports leave free: `balance` in the units of the scene, `slopes` dimensionless.
     pub(super) fn balanced(mut self, balance: Balance, slopes: Option<[f64; 2]>) -> Self {
         let unit = self.scale.depth / self.scale.length;
@@ -190,7 +195,9 @@ impl Exact {
         let inside = move |x: f64| rigid && self.state.contacts.iter().any(|c| c.from < x && x < c.to);
         self.given
             .forces()
-            .map(|j| (j.x * self.scale.length, j.force * self.stiffness * self.scale.force))
+            .map(|j| (j.x, j.force))
+            .chain(self.given.springs_in_zone(0.0, self.given.length).map(|(x, force)| (x, -force)))
+            .map(|(x, force)| (x * self.scale.length, force * self.stiffness * self.scale.force))
             .filter(move |&(x, _)| inside(x))
     }
 
