@@ -34,7 +34,7 @@ pub(crate) struct Block {
     /// The same of `Θ`, `σ`, and what `B` has more on its diagonal, `η`: of a beam on springs.
     sigma: f64,
     eta: f64,
-    /// Of a spring against turning its stiffness `k`; its `w` is that of the chain on its left.
+    /// Of a spring against turning its stiffness `k`; its `w` and `η` are those of the chain on its left.
     turning: f64,
     /// Pivot block `[[a, −h], [−h, −g]]` and `1/(a g + h²)`.
     a: f64,
@@ -119,9 +119,9 @@ impl Block {
     fn eliminate(&mut self, carried: Carried, theta: f64, between: Between) -> Carried {
         let k = between.turning;
         if 0.0 < k {
-            (self.h, self.g) = (carried.e, carried.g + self.w);
+            (self.h, self.g) = (carried.e + self.eta, carried.g + self.w);
             self.inverse = 1.0 / (1.0 + k * self.g);
-            let Carried { a, e, .. } = carried;
+            let (Carried { a, .. }, e) = (carried, self.h);
             return Carried { a: a + theta + k * self.inverse * e * e, e: e * self.inverse, g: self.g * self.inverse };
         }
         let [c, off, sigma] = between.entries;

@@ -62,25 +62,27 @@ fn state(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], spring: &
     let Some([v, slope, ..]) = sides[1].or(sides[0]) else { return SpringState::default() };
     let moments = sides.map(|side| side.map_or(0.0, |beam| -beam[2]));
     let shears = sides.map(|side| side.map_or(0.0, |beam| -beam[3]));
-    // Either from how far it gives, or from what jumps: of a stiff one the former has no digits, of a soft one the latter.
-    let of = |k: f64, [given, without]: [f64; 2], jump: f64, size: f64| {
-        if k * (given.abs() + without.abs()) <= size { k * (given - without) } else { jump }
-    };
     let touches = zone || node.is_some();
     let v = if touches { at.depth } else { v };
     let jump = shears[1] - shears[0] + at.force;
     let size = if touches { f64::INFINITY } else { shears[0].abs() + shears[1].abs() + at.force.abs() };
-    let force = of(spring.stiffness, [v, spring.level], jump, size);
+    let force = exerted(spring.stiffness, [v, spring.level], jump, size);
     let couple = spring.turning.map_or(0.0, |[k, without]| {
         let jump = moments[1] - moments[0] + at.couple;
         let size = moments[0].abs() + moments[1].abs() + at.couple.abs();
         match node {
             // The digits of a slope beyond its number, of one that is free.
             Some(node) => at.couple - nodes[node].couple(given),
-            None => of(-k, [slope, without], jump, if zone { f64::INFINITY } else { size }),
+            None => exerted(-k, [slope, without], jump, if zone { f64::INFINITY } else { size }),
         }
     });
     SpringState { force, couple, moments }
+}
+
+/// What a spring exerts: either from how far it gives, or from what jumps. Of a stiff one the former has no digits, of a soft one the latter,
+/// the difference of numbers of this size.
+pub(super) fn exerted(k: f64, [given, without]: [f64; 2], jump: f64, size: f64) -> f64 {
+    if k * (given.abs() + without.abs()) <= size { k * (given - without) } else { jump }
 }
 
 /// Of the supports that only push, those that would have to pull, and those that the beam would be below, each with its index.

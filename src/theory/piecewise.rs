@@ -34,7 +34,7 @@ pub(super) struct Cell {
     pub(super) load_slope: f64,
     /// `e`, the bending stiffness over the least one.
     pub(super) stiffness: f64,
-    /// Of an elastic foundation its stiffness over the greatest one, zero where there is none; one on rigid ground.
+    /// Stiffness of an elastic foundation over the greatest one, zero where there is none; one on rigid ground.
     pub(super) ground: f64,
 }
 
