@@ -232,9 +232,8 @@ impl<'a> Beam<'a> {
                     residual[j / 2] = 0.0;
                 }
             }
-            if let Some([k, without, _]) =
-                place.checked_sub(1).and_then(|before| rows[before].turning).filter(|_| inside)
-            {
+            let own_row = inside && places[i - 1] + 1 < place;
+            if let Some([k, without, _]) = own_row.then(|| rows[place - 1].turning).flatten() {
                 let rise = ends[i][0][2] - ends[i - 1][1][2] - self.acts(lo + i)[1];
                 let off = ends[i - 1][1][1] - without - rise / k;
                 rows[place - 1].right = [0.0, off];

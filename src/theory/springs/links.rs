@@ -176,6 +176,7 @@ impl Beam<'_> {
             Some(beside) if self.support(i + side).is_none() => {
                 Some(if side == 1 && beside.kind == Kind::Span { link.cells[1] } else { beside.cells[1 - side] })
             }
+            None if self.support(i + side).is_none() => Some(link.cells[side]),
             _ => None,
         }
     }
