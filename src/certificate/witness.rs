@@ -17,6 +17,7 @@
 
 use super::kernel::contact_node::{ContactNode, EnclosedScene, EnclosedSupport, Slope};
 use super::kernel::gap::EnclosedGap;
+use super::kernel::giving::Giving;
 use super::kernel::interval::Interval;
 use super::kernel::proof::{Pair, Piece};
 use crate::scene::Scale;
@@ -263,6 +264,12 @@ fn changes(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Option<Vec<f6
     }
     for (row, node) in rows.iter_mut().zip(nodes).zip(&is_hinge).filter(|(_, hinge)| **hinge).map(|(both, _)| both) {
         row[3] += enclosed.load.couple(node.x).middle() / enclosed.unit();
+        let gives = enclosed.support(node.x).and_then(|support| support.gives);
+        if let Some(Giving { turning: Some([k, without]), .. }) = gives {
+            let (k, [_, slope]) = (k.middle() / enclosed.unit(), enclosed.end(node));
+            row[1] += k;
+            row[3] -= k * (slope - without).middle();
+        }
     }
     tridiagonal(rows)
 }

@@ -11,6 +11,7 @@
 //! the work has a limit.
 
 use super::check::{Check, TOLERANCE};
+use super::exact::Exact;
 use super::list::List;
 use super::piece::derivatives;
 use super::piecewise::{AtSpring, PiecewiseScene};
@@ -151,5 +152,27 @@ pub(super) fn search_with(
         exchanged.iter().for_each(|(i, _)| acts[*i] = !acts[*i]);
         given = PiecewiseScene::with(scene, |i| acts[i]);
         before = Some(found);
+    }
+}
+
+impl Exact {
+    /// Which of the supports that give act.
+    pub(super) fn acting(&self) -> Vec<bool> {
+        self.given.springs.iter().map(|spring| spring.acts).collect()
+    }
+
+    /// Where breakpoint `i` is \[length\].
+    pub(super) fn place(&self, i: usize) -> f64 {
+        self.given.breakpoints[i].x * self.scale.length
+    }
+
+    /// Of the supports that give the force, and by how much the moment jumps because of it \[force, force · length\].
+    pub(crate) fn sprung(&self) -> Vec<[f64; 2]> {
+        let at = |spring: &AtSpring| {
+            let place = self.place(spring.breakpoint);
+            let state = self.state.supports.iter().find(|support| support.at.total_cmp(&place).is_eq());
+            state.map_or([0.0; 2], |support| [support.force, support.couple])
+        };
+        self.given.springs.iter().map(at).collect()
     }
 }

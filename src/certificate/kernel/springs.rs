@@ -25,8 +25,8 @@ mod walks;
 
 use self::walks::{Reached, Walk};
 use super::contact_node::EnclosedScene;
-use super::held::lines;
 use super::interval::Interval;
+use super::lines::lines;
 use super::polynomial::{Polynomial, TERMS, number};
 use super::pressing::TensionCutOff;
 use super::proof::{Pair, Piece, Sprung};
@@ -266,7 +266,7 @@ impl OnSprings<'_> {
         let presses = Interval::exact(pressure.lo()) * width;
         let cost = Interval::exact(pressure.hi()) * (width / k).sqrt() / presses;
         sums.carriers.push(Carrier {
-            place: Datum { from, to, presses: presses.lo(), uncertainty: 0.0 },
+            place: Datum { to, presses: presses.lo(), ..Datum::at(from) },
             sunk: sunk.lo(),
             cost,
         });

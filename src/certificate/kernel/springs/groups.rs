@@ -42,7 +42,7 @@ impl OnSprings<'_> {
             (from, to) = (from.min(place.from), to.max(place.to));
             let uncertainty = self.uncertainty(gap, width);
             if uncertainty < *sunk {
-                known = Some(Datum { from, to, presses: 0.0, uncertainty });
+                known = Some(Datum { to, presses: 0.0, uncertainty, ..Datum::at(from) });
             }
         }
         known
