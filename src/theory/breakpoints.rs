@@ -2,8 +2,8 @@
 
 use super::gauss::Gauss;
 use super::piecewise::{AtSpring, AtSupport, Breakpoint, Cell, PiecewiseScene};
+use super::pull::pulling_stretches;
 use super::shape::Shape;
-use super::tension::tension_intervals;
 use crate::scene::pieces::without_collinear_points;
 use crate::scene::{Beam, Bearing, Concentrated, Foundation, Held, Load, Scene, Spring, polynomial};
 
@@ -87,9 +87,9 @@ impl PiecewiseScene {
                 })
                 .collect(),
             springs,
-            tension: Vec::new(),
+            pulling: Vec::new(),
         };
-        given.tension = tension_intervals(&given);
+        given.pulling = pulling_stretches(&given);
         given.total_load = load_between_supports(&given);
         for i in 0..given.supports.len() {
             let AtSupport { breakpoint, level, slope, tangent, .. } = given.supports[i];

@@ -92,7 +92,7 @@ pub(super) fn wrong(given: &PiecewiseScene, checked: &Check) -> Vec<(usize, Viol
         if spring.acts {
             let pull = -checked.springs[i].force;
             let is_wrong = spring.pushes_only && (pull.is_nan() || TOLERANCE * force < pull);
-            return is_wrong.then_some((i, Violation::Tension { at: x, force: pull }));
+            return is_wrong.then_some((i, Violation::Pull { at: x, force: pull }));
         }
         let piece = &checked.pieces[checked.pieces.partition_point(|p| p.hi < x).min(checked.pieces.len() - 1)];
         let part = piece.part_in(given, given.cell_to(x));
@@ -122,36 +122,58 @@ pub(super) fn search_with(
     if let Some(acts) = acts.filter(|acts| acts.len() == given.springs.len()) {
         given = PiecewiseScene::with(scene, |i| acts[i] || !given.springs[i].pushes_only);
     }
-    let (mut fewest, mut patience) = (usize::MAX, PATIENCE);
-    let mut before: Option<Candidate> = None;
+    let mut sets = Sets { fewest: usize::MAX, patience: PATIENCE, last: None };
+    let mut acts: Vec<bool> = given.springs.iter().map(|spring| spring.acts).collect();
     let mut left = MOST[0] * given.springs.iter().filter(|spring| spring.pushes_only).count() + MOST[1];
+    let mut before: Option<Candidate> = None;
+    let mut here = given;
     loop {
-        let found = find(&given, before.as_ref().map(|found| &found.list))?;
-        let found = match before.take() {
-            Some(Candidate { steps, lists, samples, .. }) => Candidate {
-                steps: found.steps + steps,
-                lists: found.lists + lists,
-                samples: found.samples + samples,
-                ..found
-            },
-            None => found,
+        let found = find(&here, before.as_ref().map(|found| &found.list))?;
+        let work = before.as_ref().map_or([0; 3], |found| [found.steps, found.lists, found.samples]);
+        let found = Candidate {
+            steps: found.steps + work[0],
+            lists: found.lists + work[1],
+            samples: found.samples + work[2],
+            ..found
         };
-        let wrong = wrong(&given, &found.checked);
+        let wrong = wrong(&here, &found.checked);
         left -= 1;
-        if wrong.is_empty() || left == 0 {
-            return Ok((given, found.with(wrong)));
+        if wrong.is_empty() || left == 0 || !sets.next(&mut acts, &wrong, found.solved()) {
+            return Ok((here, found.with(wrong)));
         }
-        (fewest, patience) =
-            if wrong.len() < fewest { (wrong.len(), PATIENCE) } else { (fewest, patience.saturating_sub(1)) };
-        // Of a beam that nothing holds any more, one at a time as well.
-        if !found.solved() {
-            patience = 0;
-        }
-        let exchanged = if 0 < patience { &wrong[..] } else { &wrong[wrong.len() - 1..] };
-        let mut acts: Vec<bool> = given.springs.iter().map(|spring| spring.acts).collect();
-        exchanged.iter().for_each(|(i, _)| acts[*i] = !acts[*i]);
-        given = PiecewiseScene::with(scene, |i| acts[i]);
+        here = PiecewiseScene::with(scene, |i| acts[i]);
         before = Some(found);
+    }
+}
+
+/// Which sets of pressed supports are tried.
+struct Sets {
+    fewest: usize,
+    patience: usize,
+    /// The last set that has an answer, what is wrong with it, and how many of these were exchanged alone.
+    last: Option<(Vec<bool>, Vec<usize>, usize)>,
+}
+
+impl Sets {
+    /// The next set; false if there is none.
+    fn next(&mut self, acts: &mut Vec<bool>, wrong: &[(usize, Violation)], solved: bool) -> bool {
+        if let Some((last, wrong, alone)) = self.last.as_mut().filter(|_| !solved) {
+            // Without them nothing holds the beam: one of them alone.
+            acts.clone_from(last);
+            *alone += 1;
+            return wrong.len().checked_sub(*alone).map(|i| acts[wrong[i]] = !acts[wrong[i]]).is_some();
+        }
+        let all: Vec<usize> = wrong.iter().map(|(i, _)| *i).collect();
+        (self.fewest, self.patience) = if all.len() < self.fewest {
+            (all.len(), PATIENCE)
+        } else {
+            (self.fewest, self.patience.saturating_sub(1))
+        };
+        let alone = usize::from(self.patience == 0);
+        self.last = Some((acts.clone(), all.clone(), alone));
+        let exchanged = if alone == 0 { &all[..] } else { &all[all.len() - 1..] };
+        exchanged.iter().for_each(|i| acts[*i] = !acts[*i]);
+        true
     }
 }
 

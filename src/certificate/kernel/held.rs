@@ -7,7 +7,7 @@ use super::interval::Interval;
 use super::lines::lines;
 use super::load::cells;
 use super::polynomial::number;
-use super::pressing::TensionCutOff;
+use super::pressing::PullCutOff;
 use super::proof::{Pair, Piece};
 use super::reference::{Datum, Line};
 
@@ -34,7 +34,7 @@ pub(super) fn held_by(
     turns_about: Option<f64>,
     mut carriers: Vec<Datum>,
     pieces: &[Piece],
-    cut_off: &TensionCutOff,
+    cut_off: &PullCutOff,
     gap_of: impl Fn([Interval; 2], f64) -> f64,
 ) -> Option<(f64, Interval, Vec<Line>)> {
     // About a place of balance each part between hinges may turn by itself.

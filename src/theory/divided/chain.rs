@@ -6,9 +6,15 @@ use crate::theory::piecewise::{AtSpring, Breakpoint, PiecewiseScene};
 use crate::theory::span::{End, FixedEnd};
 use crate::theory::way::{Prescribed, Way};
 
-/// No deflection or moment of a dimensionless beam is larger, the loads and the stiffness of which are of the order of one: a mechanism
-/// that only rounding holds moves by far more.
-const MOST: f64 = 1e12;
+/// The flexibility of a hinge in the chain, over that of a beam of length and stiffness one. With an infinite one, elimination would divide
+/// zero by zero where a part hangs on a hinge. What moment it leaves there is taken off by turning the hinge, again and again.
+const HINGE: f64 = 1_099_511_627_776.0;
+/// Turns at most, and the share of the largest moment that is nothing: each turn takes off all but the flexibility of the beam over that
+/// of the hinge. What is left of a mechanism is as large as before.
+const TURNS: usize = 8;
+const NOTHING: f64 = 1e-15;
+/// What the last turn may leave.
+const LEFT: f64 = 1e-12;
 
 /// A part of the span, with what its load does.
 pub(super) struct Part {
@@ -51,7 +57,7 @@ pub(super) struct Place {
     /// Less what a spring makes of `h`.
     shear: f64,
     joint: f64,
-    /// `n` of a beam without moment there.
+    /// `n` of a beam without moment there: the slope of the beam jumps by `w e v'' = w (e g'' − n)`.
     straight: f64,
     spring: f64,
     turning: f64,
@@ -71,12 +77,10 @@ impl Place {
             return place.on(given.spring_at(i), line);
         }
         let [left, right] = given.cells_beside(i).map(|cell| given.derivatives(cell, x));
-        // The slope of the beam jumps by `w e v'' = w (e g'' − n)`.
-        let turned = if joint.is_finite() { joint * right[2] } else { 0.0 };
         let broken = given.breaks_at(i);
         let place = Self {
             step: if broken { step } else { 0.0 },
-            kink: if broken { kink } else { 0.0 } - turned,
+            kink: if broken { kink } else { 0.0 },
             couple: right[2] - left[2] - couple,
             shear: right[3] - left[3] - force,
             joint,
@@ -130,25 +134,39 @@ impl Chain<'_> {
     pub(super) fn solve(&self) -> Option<(Vec<[[f64; 4]; 2]>, Answer)> {
         let Rows { mut rows, right, at } = self.rows();
         factor(&mut rows, |row| row.theta);
-        let mut of = |right: &dyn Fn(usize) -> [f64; 2]| {
+        // Where hinges are, and `n` there.
+        let hinges = self.places.iter().zip(&at).filter(|(place, _)| place.joint.is_infinite());
+        let hinges: Vec<(usize, f64)> = hinges.map(|(place, [_, main])| (*main, place.straight)).collect();
+        let mut of = |right: &dyn Fn(usize) -> [f64; 2], loaded: bool| {
             rows.iter_mut().enumerate().for_each(|(i, row)| row.right = right(i));
-            solve(&mut rows, |row| row.right);
-            let sound = rows.iter().all(|row| row.block.failed().is_none());
+            for _ in 0..TURNS {
+                solve(&mut rows, |row| row.right);
+                let most = rows.iter().fold(0.0, |most: f64, row| most.max(row.block.step[1].abs()));
+                let mut left = 0.0_f64;
+                for &(hinge, straight) in &hinges {
+                    let off = rows[hinge].block.step[1] - if loaded { straight } else { 0.0 };
+                    rows[hinge].right[1] += HINGE * off;
+                    left = left.max(off.abs());
+                }
+                if left <= NOTHING * most {
+                    break;
+                }
+            }
+            let most = rows.iter().fold(0.0, |most: f64, row| most.max(row.block.step[1].abs()));
+            let bent = |&(hinge, straight): &(usize, f64)| {
+                (rows[hinge].block.step[1] - if loaded { straight } else { 0.0 }).abs() <= LEFT * most
+            };
+            let sound = hinges.iter().all(bent) && rows.iter().all(|row| row.block.failed().is_none());
             sound.then(|| rows.iter().map(|row| row.block.step).collect::<Vec<_>>())
         };
-        let found = of(&|i| right[i])?;
-        // What nothing holds but rounding moves by any amount.
-        let hinged = self.places.iter().any(|place| place.joint.is_infinite());
-        if hinged && found.iter().flatten().any(|value| MOST < value.abs()) {
-            return None;
-        }
+        let found = of(&|i| right[i], true)?;
         let n = self.parts.len();
         let ends = [at[0][1], at[n][0]];
         let mut turned = |side: usize| {
             let unit = if side == 0 { 1.0 } else { -1.0 };
             let bent = match self.beyond[side] {
                 Some(_) => return Some([0.0; 2]),
-                None => of(&|i| [0.0, if i == ends[side] { unit } else { 0.0 }])?,
+                None => of(&|i| [0.0, if i == ends[side] { unit } else { 0.0 }], false)?,
             };
             Some(ends.map(|end| bent[end][1]))
         };
@@ -220,13 +238,9 @@ impl Chain<'_> {
             }
         }
         // A joint at the right end is a part of the span.
-        if place.joint.is_finite() {
-            rows[end].block.w += place.joint;
-            right[end][1] -= place.joint * place.straight;
-        } else {
-            rows[end].block.w += PENALTY;
-            right[end][1] = -PENALTY * place.straight;
-        }
+        let joint = place.joint.min(HINGE);
+        rows[end].block.w += joint;
+        right[end][1] -= joint * place.straight;
     }
 }
 
@@ -235,8 +249,9 @@ impl Rows {
     fn join(&mut self, i: usize, place: &Place) {
         let [_, main] = self.at[i];
         self.rows[main].theta = place.spring;
-        self.rows[main].block.w += if place.joint.is_finite() { place.joint } else { PENALTY };
-        let bend = if place.joint.is_finite() { place.kink } else { -PENALTY * place.straight };
+        let joint = place.joint.min(HINGE);
+        self.rows[main].block.w += joint;
+        let bend = place.kink - joint * place.straight;
         self.right[main] = [self.right[main][0] + place.shear, self.right[main][1] + bend];
     }
 }
