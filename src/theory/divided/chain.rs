@@ -6,16 +6,6 @@ use crate::theory::piecewise::{AtSpring, Breakpoint, PiecewiseScene};
 use crate::theory::span::{End, FixedEnd};
 use crate::theory::way::{Prescribed, Way};
 
-/// The flexibility of a hinge in the chain, over that of a beam of length and stiffness one. With an infinite one, elimination would divide
-/// zero by zero where a part hangs on a hinge. What moment it leaves there is taken off by turning the hinge, again and again.
-const HINGE: f64 = 1_099_511_627_776.0;
-/// Turns at most, and the share of the largest moment that is nothing: each turn takes off all but the flexibility of the beam over that
-/// of the hinge. What is left of a mechanism is as large as before.
-const TURNS: usize = 8;
-const NOTHING: f64 = 1e-15;
-/// What the last turn may leave.
-const LEFT: f64 = 1e-12;
-
 /// A part of the span, with what its load does.
 pub(super) struct Part {
     pub(super) ends: [End; 2],
@@ -67,6 +57,11 @@ impl Place {
     /// A node with a joint, and `n` there of a beam without moment.
     pub(super) fn node(joint: f64, straight: f64) -> Self {
         Self { joint, straight, ..Self::default() }
+    }
+
+    /// The flexibility of a joint; a hinge turns as far as it has to, which is found apart from the chain.
+    fn flexibility(&self) -> f64 {
+        if self.joint.is_finite() { self.joint } else { 0.0 }
     }
 
     /// What happens at a breakpoint of a span that is computed in one `way`, or in its deflection from a `line`, there with its slope.
@@ -134,29 +129,12 @@ impl Chain<'_> {
     pub(super) fn solve(&self) -> Option<(Vec<[[f64; 4]; 2]>, Answer)> {
         let Rows { mut rows, right, at } = self.rows();
         factor(&mut rows, |row| row.theta);
-        // Where hinges are, and `n` there.
-        let hinges = self.places.iter().zip(&at).filter(|(place, _)| place.joint.is_infinite());
-        let hinges: Vec<(usize, f64)> = hinges.map(|(place, [_, main])| (*main, place.straight)).collect();
+        let hinges = Hinges::of(&mut rows, self.hinges(&at))?;
         let mut of = |right: &dyn Fn(usize) -> [f64; 2], loaded: bool| {
             rows.iter_mut().enumerate().for_each(|(i, row)| row.right = right(i));
-            for _ in 0..TURNS {
-                solve(&mut rows, |row| row.right);
-                let most = rows.iter().fold(0.0, |most: f64, row| most.max(row.block.step[1].abs()));
-                let mut left = 0.0_f64;
-                for &(hinge, straight) in &hinges {
-                    let off = rows[hinge].block.step[1] - if loaded { straight } else { 0.0 };
-                    rows[hinge].right[1] += HINGE * off;
-                    left = left.max(off.abs());
-                }
-                if left <= NOTHING * most {
-                    break;
-                }
-            }
-            let most = rows.iter().fold(0.0, |most: f64, row| most.max(row.block.step[1].abs()));
-            let bent = |&(hinge, straight): &(usize, f64)| {
-                (rows[hinge].block.step[1] - if loaded { straight } else { 0.0 }).abs() <= LEFT * most
-            };
-            let sound = hinges.iter().all(bent) && rows.iter().all(|row| row.block.failed().is_none());
+            solve(&mut rows, |row| row.right);
+            hinges.turn(&mut rows, loaded);
+            let sound = rows.iter().all(|row| row.block.failed().is_none());
             sound.then(|| rows.iter().map(|row| row.block.step).collect::<Vec<_>>())
         };
         let found = of(&|i| right[i], true)?;
@@ -180,6 +158,12 @@ impl Chain<'_> {
             [[hs[0], a1, ns[0], a3], [hs[1], b1, ns[1], b3]]
         };
         Some(((0..n).map(state).collect(), answer))
+    }
+
+    /// The rows at which hinges are, and `n` there.
+    fn hinges(&self, at: &[[usize; 2]]) -> Vec<(usize, f64)> {
+        let hinges = self.places.iter().zip(at).filter(|(place, _)| place.joint.is_infinite());
+        hinges.map(|(place, [_, main])| (*main, place.straight)).collect()
     }
 
     /// The members; `h` and `n` of a place are those on its right side.
@@ -238,7 +222,7 @@ impl Chain<'_> {
             }
         }
         // A joint at the right end is a part of the span.
-        let joint = place.joint.min(HINGE);
+        let joint = place.flexibility();
         rows[end].block.w += joint;
         right[end][1] -= joint * place.straight;
     }
@@ -249,9 +233,76 @@ impl Rows {
     fn join(&mut self, i: usize, place: &Place) {
         let [_, main] = self.at[i];
         self.rows[main].theta = place.spring;
-        let joint = place.joint.min(HINGE);
+        let joint = place.flexibility();
         self.rows[main].block.w += joint;
         let bend = place.kink - joint * place.straight;
         self.right[main] = [self.right[main][0] + place.shear, self.right[main][1] + bend];
     }
+}
+
+/// The hinges of a chain, that is factored without them: by how much each has to turn for all to have no moment. Elimination with hinges
+/// in it would divide zero by zero where a part hangs on one.
+struct Hinges {
+    /// The row of each, and `n` there of a beam without moment.
+    rows: Vec<(usize, f64)>,
+    /// The inverse of what moment a unit turn of each makes in each.
+    turns: Vec<Vec<f64>>,
+}
+
+impl Hinges {
+    /// [`None`] for a mechanism.
+    fn of(rows: &mut [Row], hinges: Vec<(usize, f64)>) -> Option<Self> {
+        let mut bent = Vec::with_capacity(hinges.len());
+        for &(hinge, _) in &hinges {
+            rows.iter_mut().for_each(|row| row.right = [0.0; 2]);
+            rows[hinge].right[1] = 1.0;
+            solve(rows, |row| row.right);
+            bent.push(hinges.iter().map(|&(other, _)| rows[other].block.step[1]).collect());
+        }
+        Some(Self { turns: inverse(bent)?, rows: hinges })
+    }
+
+    /// Turns them in a solution of the rows.
+    fn turn(&self, rows: &mut [Row], loaded: bool) {
+        /// The second turn is for rounding.
+        const TURNS: usize = 2;
+        if self.rows.is_empty() {
+            return;
+        }
+        for _ in 0..TURNS {
+            let off =
+                |&(hinge, straight): &(usize, f64)| rows[hinge].block.step[1] - if loaded { straight } else { 0.0 };
+            let off: Vec<f64> = self.rows.iter().map(off).collect();
+            for (k, (hinge, _)) in self.rows.iter().enumerate() {
+                let turn: f64 = self.turns.iter().zip(&off).map(|(of, off)| of[k] * off).sum();
+                rows[*hinge].right[1] -= turn;
+            }
+            solve(rows, |row| row.right);
+        }
+    }
+}
+
+/// The inverse of a small matrix, by rows; [`None`] if it is singular but for rounding.
+fn inverse(mut rows: Vec<Vec<f64>>) -> Option<Vec<Vec<f64>>> {
+    /// Of the largest entry, what a pivot is at least.
+    const ROUNDING: f64 = 1e-11;
+    let n = rows.len();
+    let most = rows.iter().flatten().fold(0.0, |most: f64, entry| most.max(entry.abs()));
+    let unit = |i: usize| (0..n).map(move |j| f64::from(u8::from(i == j)));
+    rows.iter_mut().enumerate().for_each(|(i, row)| row.extend(unit(i)));
+    for column in 0..n {
+        let pivot = (column..n).max_by(|i, j| rows[*i][column].abs().total_cmp(&rows[*j][column].abs()))?;
+        rows.swap(column, pivot);
+        let pivot = rows[column][column];
+        if pivot.abs() <= ROUNDING * most || !pivot.is_finite() {
+            return None;
+        }
+        rows[column].iter_mut().for_each(|entry| *entry /= pivot);
+        let above = rows[column].clone();
+        for (_, row) in rows.iter_mut().enumerate().filter(|(i, _)| *i != column) {
+            let factor = row[column];
+            row.iter_mut().zip(&above).for_each(|(entry, above)| *entry -= factor * above);
+        }
+    }
+    Some(rows.into_iter().map(|row| row[n..].to_vec()).collect())
 }
