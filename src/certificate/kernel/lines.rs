@@ -22,6 +22,11 @@ impl EnclosedScene<'_> {
         self.supports.iter().filter(|support| !support.pushes()).map(|support| self.datum(support, Interval::ZERO))
     }
 
+    /// Whether a hinge is at a place.
+    pub(crate) fn is_hinge(&self, x: f64) -> bool {
+        self.joints.iter().any(|joint| joint.1 <= 0.0 && joint.0.total_cmp(&x).is_eq())
+    }
+
     /// Whether the beam has a hinge.
     pub(super) fn is_hinged(&self) -> bool {
         self.joints.iter().any(|joint| joint.1 <= 0.0)
@@ -109,7 +114,7 @@ fn hinge(lines: &[Line], x: f64, soft: f64) -> Option<Datum> {
 }
 
 /// Of places that press the two that hold the beam best: strongly, and far apart.
-fn widest(carriers: &mut [Datum]) -> Option<Line> {
+pub(super) fn widest(carriers: &mut [Datum]) -> Option<Line> {
     /// Of the strongest places.
     const MOST: usize = 64;
     carriers.sort_by(|a, b| b.presses.total_cmp(&a.presses));

@@ -133,6 +133,9 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
         let force = shears[i + 1][0] - shears[i][1] + enclosed.load.point(node.x);
         forces.push(force);
         let support = enclosed.support(node.x);
+        if enclosed.is_hinge(node.x) && spans[i].is_none() {
+            cut_off.hinge(node.x, moments[i].0[0]);
+        }
         let pushes = support.is_none_or(EnclosedSupport::pushes);
         if pushes {
             cut_off.force(node.x, force);
@@ -184,7 +187,9 @@ fn is_complete(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> bool {
         let [left, right] = [true, false].map(|left| enclosed.order(node, left) == 2);
         let built_in = enclosed.support(node.x).is_some_and(|s| s.slope.is_some());
         let follows = !built_in && matches!(node.slope, Slope::OfGround { .. });
-        (!follows || left || right) && (i == 0 || !nodes[i - 1].lies || left) && (!node.lies || right)
+        // A zone ends in a hinge with any slope beyond.
+        let ends = left || enclosed.is_hinge(node.x) && enclosed.support(node.x).is_none();
+        (!follows || left || right) && (i == 0 || !nodes[i - 1].lies || ends) && (!node.lies || right)
     });
     in_order && inside && supports == enclosed.supports.len() && meet
 }

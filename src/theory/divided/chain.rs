@@ -162,7 +162,9 @@ impl Chain<'_> {
 
     /// The rows at which hinges are, and `n` there.
     fn hinges(&self, at: &[[usize; 2]]) -> Vec<(usize, f64)> {
-        let hinges = self.places.iter().zip(at).filter(|(place, _)| place.joint.is_infinite());
+        // Where `n` is given at the right end, it has none already.
+        let free = if matches!(self.way.held[1], Prescribed::Curvature(_)) { self.parts.len() } else { at.len() };
+        let hinges = self.places[..free].iter().zip(at).filter(|(place, _)| place.joint.is_infinite());
         hinges.map(|(place, [_, main])| (*main, place.straight)).collect()
     }
 

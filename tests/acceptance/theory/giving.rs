@@ -111,8 +111,8 @@ fn springs_alone_hold_a_beam() {
 /// A stop with a play `d` below the middle of a beam on two supports: `R = (5 q l⁴/384 EI − d)/(l³/48 EI + 1/k)`, or nothing.
 #[test]
 fn a_stop_is_pressed_beyond_its_play() {
-    let sag = 5.0 * 1e4 / 768.0;
-    for (k, play) in [0.1, 3.0, 1e6].into_iter().flat_map(|k| [-1.0, 0.0, 10.0, 65.0, 66.0, 1e3].map(|d| (k, d))) {
+    let sag: f64 = 5.0 * 1e4 / 768.0;
+    for (k, play) in [0.1, 3.0, 1e6_f64].into_iter().flat_map(|k| [-1.0, 0.0, 10.0, 65.0, 66.0, 1e3].map(|d| (k, d))) {
         let stop = format!(
             "{{ at = 0 }}, {{ at = 5, stiffness = {k:?}, level = {play:?}, pushes_only = true }}, {{ at = 10 }}"
         );

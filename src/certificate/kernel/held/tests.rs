@@ -1,5 +1,6 @@
 //! Where a beam is carried, and which of these places hold it.
 
+use super::super::lines::widest;
 use super::*;
 use crate::certificate::in_intervals;
 use crate::certificate::kernel::contact_node::tests::{Kind, node};
