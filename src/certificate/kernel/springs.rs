@@ -28,8 +28,8 @@ mod walks;
 use self::groups::uncertainty;
 use self::walks::{Reached, Walk};
 use super::contact_node::EnclosedScene;
-use super::held::lines;
 use super::interval::Interval;
+use super::lines::lines;
 use super::polynomial::{Polynomial, TERMS, number};
 use super::pressing::PullCutOff;
 use super::proof::{Pair, Piece, Sprung};
@@ -307,7 +307,7 @@ impl OnSprings<'_> {
         let presses = Interval::exact(pressure.lo()) * width;
         let cost = Interval::exact(pressure.hi()) * (width / k).sqrt() / presses;
         sums.carriers.push(Carrier {
-            place: Datum { from, to, presses: presses.lo(), uncertainty: 0.0 },
+            place: Datum { to, presses: presses.lo(), ..Datum::at(from) },
             sunk: sunk.lo(),
             cost,
             stiffness: k * width,
