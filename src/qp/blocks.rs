@@ -80,6 +80,36 @@ pub(crate) fn factor<R: AsMut<Block>>(rows: &mut [R], ratio: impl Fn(&R) -> f64)
     }
 }
 
+/// The same of a beam under an axial force, where `σ = −n` is the stiffness of a string in each link, and `left`, `c² − n ω`, is known
+/// without cancellation. With `a = n + b` no digit is lost under tension:
+///
+/// ```text
+/// b' = Θ' + (b (c² + n g) + n e²)/d,   g' = w' + (c² g + ω (c h + c e + c² − n ω) − b ω²)/d
+/// e' = (b c (g + ω) + e (c e + c² − n ω))/d
+/// ```
+pub(crate) fn factor_under_tension<R: AsMut<Block>>(
+    rows: &mut [R],
+    ratio: impl Fn(&R) -> f64,
+    left: impl Fn(&R) -> f64,
+) {
+    let (mut b, mut e, mut g) = (0.0, 0.0, 0.0);
+    for row in rows {
+        let (theta, left) = (ratio(row), left(row));
+        let row = row.as_mut();
+        let (c, off, n) = (row.c, row.off, -row.sigma);
+        b += theta;
+        row.a = b + n;
+        row.h = c + e;
+        row.g = g + row.w;
+        row.inverse = 1.0 / (row.a * row.g + row.h * row.h);
+        let bent = c * e + left;
+        let next = (b * (c * c + n * row.g) + n * e * e) * row.inverse;
+        g = (c * c * row.g + off * (c * row.h + bent) - b * off * off) * row.inverse;
+        e = (b * c * (row.g + off) + e * bent) * row.inverse;
+        b = next;
+    }
+}
+
 /// Solves with these factors for `step`, with `right`, `r₁` and `r₂`, of each row.
 #[inline]
 pub(crate) fn solve<R: AsMut<Block>>(rows: &mut [R], right: impl Fn(&R) -> [f64; 2]) {

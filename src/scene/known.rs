@@ -26,6 +26,15 @@ impl Scene {
         Err(SceneError::NotKnown { what, feature })
     }
 
+    /// Whether no axial force acts on the beam.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::NotKnown`] if one does, naming what asked for it.
+    pub fn has_no_tension(&self, what: &'static str) -> Result<(), SceneError> {
+        if self.beam.tension() == 0.0 { Ok(()) } else { Err(SceneError::NotKnown { what, feature: "an axial force" }) }
+    }
+
     /// Whether contact forces at nodes, without the lengths over which they act, determine the position of the beam: not if supports do
     /// not hold it, on ground that gives way below each force by an amount that depends on that length.
     ///

@@ -17,8 +17,9 @@
 use super::overhang::Overhang;
 use super::piecewise::{Breakpoint, PiecewiseScene};
 use super::span::{Drive, End, EndCondition, FixedEnd, Span, difference, fixed_end};
+use super::tension::Tense;
 use super::way::{Prescribed, Way};
-use crate::qp::blocks::{Block, PENALTY, factor, solve};
+use crate::qp::blocks::{Block, PENALTY, factor, factor_under_tension, solve};
 
 /// How the moments at both ends of a span answer to the slopes there.
 pub(super) type Answer = [[f64; 2]; 2];
@@ -32,6 +33,8 @@ struct Part {
     ends: [End; 2],
     stiffness: f64,
     fixed: FixedEnd,
+    /// What it does under an axial force, in the place of that.
+    tense: Option<Tense>,
 }
 
 impl Part {
@@ -39,14 +42,19 @@ impl Part {
         self.ends[1].x - self.ends[0].x
     }
 
-    /// `h'` and `N` at both ends, from `h` and `n` there; with or without its load.
-    fn ends(&self, [h, k]: [f64; 2], [n, m]: [f64; 2], loaded: bool) -> [[f64; 2]; 2] {
+    /// `h'`, what is in balance where parts meet, and `N` at both ends, from `h` and `n` there; without an axial force the latter two are
+    /// the same.
+    fn ends(&self, [h, k]: [f64; 2], [n, m]: [f64; 2]) -> [[f64; 3]; 2] {
+        if let Some(tense) = &self.tense {
+            return tense.ends([h, k], [n, m]);
+        }
         let l = self.length();
         let (sixth, chord, rise) = (l / self.stiffness / 6.0, (k - h) / l, (m - n) / l);
-        let [own_a, own_b] = if loaded { self.own() } else { [[0.0; 2]; 2] };
+        let [own_a, own_b] = self.own();
+        let [shear_a, shear_b] = [rise + own_a[1], rise + own_b[1]];
         [
-            [chord - sixth * (2.0 * n + m) + own_a[0], rise + own_a[1]],
-            [chord + sixth * (n + 2.0 * m) + own_b[0], rise + own_b[1]],
+            [chord - sixth * (2.0 * n + m) + own_a[0], shear_a, shear_a],
+            [chord + sixth * (n + 2.0 * m) + own_b[0], shear_b, shear_b],
         ]
     }
 
@@ -69,13 +77,18 @@ struct Place {
     straight: f64,
 }
 
+/// The parts of a span between two ends, with the joint at its right one: one, where the beam does not change and no axial force acts.
+pub(super) fn parts(given: &PiecewiseScene, [a, b]: [End; 2], joint: f64) -> Parts {
+    let divisions = given.divisions_between(a.x, b.x);
+    if divisions.is_empty() && joint == 0.0 && given.tension == 0.0 {
+        return Parts::one(Span::between(given, a, b));
+    }
+    // Nothing is known of a mechanism.
+    between(given, [a, b], divisions, joint).map_or_else(|| Parts::one(Span::between(given, a, b).unknown()), Parts::of)
+}
+
 /// The parts of a span between two ends that is divided at some breakpoints, from left to right; [`None`] if it is a mechanism.
-pub(super) fn between(
-    given: &PiecewiseScene,
-    [a, b]: [End; 2],
-    divisions: &[usize],
-    joint_at_end: f64,
-) -> Option<Vec<Span>> {
+fn between(given: &PiecewiseScene, [a, b]: [End; 2], divisions: &[usize], joint_at_end: f64) -> Option<Vec<Span>> {
     let way = Way::of(given, &a, &b);
     let of = if way.in_beam { Drive::Load } else { Drive::Clearance };
     let sign = if way.in_beam { -1.0 } else { 1.0 };
@@ -92,11 +105,14 @@ pub(super) fn between(
         let FixedEnd { moment, shear, clamped } = fixed_end(given, &ends[0], &ends[1], of);
         // Of the deflection the load is that of `−v`.
         let fixed = FixedEnd { moment: moment.map(|m| sign * m), shear: shear.map(|s| sign * s), clamped };
-        Part { ends, stiffness, fixed }
+        let tense = Tense::of(given, &ends, of, sign);
+        Part { ends, stiffness, fixed, tense }
     };
     let parts: Vec<Part> = starts.zip(ends).map(part).collect();
     let places: Vec<Place> = divisions.iter().map(|&i| place(given, i, way.in_beam)).collect();
-    let chain = Chain { parts: &parts, places: &places, way: &way, joint_at_end, last: profile_bend(given, &b, &way) };
+    let last = profile_bend(given, &b, &way);
+    let tips = [(&a, 0), (&b, 1)].map(|(end, side)| tip(given, end, &way, side));
+    let chain = Chain { parts: &parts, places: &places, way: &way, tips, joint_at_end, last };
     let (states, answer) = chain.solve()?;
     let span = |(part, at): (&Part, &[[f64; 4]; 2])| {
         let profiles = [0, 1].map(|side| given.derivatives(part.ends[side].cell, part.ends[side].x));
@@ -209,10 +225,23 @@ fn place(given: &PiecewiseScene, i: usize, in_beam: bool) -> Place {
         step: if broken { step } else { 0.0 },
         kink: if broken { kink } else { 0.0 } - turned,
         couple: right[2] - left[2] - couple,
-        shear: right[3] - left[3] - force,
+        shear: right[3] - left[3] - force - if broken { given.tension * kink } else { 0.0 },
         joint,
         straight: right[2],
     }
+}
+
+/// `n` and the vertical force, as the chain counts it, at a free end of the beam under an axial force.
+fn tip(given: &PiecewiseScene, end: &End, way: &Way, side: usize) -> Option<[f64; 2]> {
+    (end.hold == EndCondition::Free).then_some(())?;
+    let [at, sign] = if side == 0 { [0.0, 1.0] } else { [given.length, -1.0] };
+    let Breakpoint { force, couple, .. } = given.breakpoints[given.breakpoint_at(at)?];
+    let acts = [sign * couple, sign * force];
+    if way.in_beam {
+        return Some([-acts[0], -acts[1] - given.tension * way.incline]);
+    }
+    let [_, slope, bent, third] = way.profiles[side];
+    Some([bent - acts[0], third - given.tension * slope - acts[1]])
 }
 
 /// A member of the chain with its right-hand sides.
@@ -220,6 +249,8 @@ fn place(given: &PiecewiseScene, i: usize, in_beam: bool) -> Place {
 struct Row {
     block: Block,
     theta: f64,
+    /// Under an axial force `c² − n ω`.
+    left: f64,
     right: [f64; 2],
 }
 
@@ -233,6 +264,7 @@ struct Chain<'a> {
     parts: &'a [Part],
     places: &'a [Place],
     way: &'a Way,
+    tips: [Option<[f64; 2]>; 2],
     joint_at_end: f64,
     last: f64,
 }
@@ -241,7 +273,11 @@ impl Chain<'_> {
     /// `h, h', n, N` at both ends of each part, and the answer.
     fn solve(&self) -> Option<(Vec<[[f64; 4]; 2]>, Answer)> {
         let (mut rows, right) = self.rows();
-        factor(&mut rows, |row| row.theta);
+        if self.parts[0].tense.is_some() {
+            factor_under_tension(&mut rows, |row| row.theta, |row| row.left);
+        } else {
+            factor(&mut rows, |row| row.theta);
+        }
         let mut of = |right: &dyn Fn(usize) -> [f64; 2]| {
             rows.iter_mut().enumerate().for_each(|(i, row)| row.right = right(i));
             solve(&mut rows, |row| row.right);
@@ -261,7 +297,7 @@ impl Chain<'_> {
             let Place { step, couple, .. } = if i + 1 < n { self.places[i] } else { Place::default() };
             let ([h, m], [k, o]) = (found[i], found[i + 1]);
             let (hs, ns) = ([h, k - step], [m, o - couple]);
-            let [[a1, a3], [b1, b3]] = self.parts[i].ends(hs, ns, true);
+            let [[a1, _, a3], [b1, _, b3]] = self.parts[i].ends(hs, ns);
             [[hs[0], a1, ns[0], a3], [hs[1], b1, ns[1], b3]]
         };
         Some(((0..n).map(state).collect(), answer))
@@ -275,10 +311,16 @@ impl Chain<'_> {
         for (i, part) in self.parts.iter().enumerate() {
             let third = part.length() / part.stiffness / 3.0;
             let Place { step, couple, .. } = if i + 1 < n { self.places[i] } else { Place::default() };
-            let [[turn_a, shear_a], [turn_b, shear_b]] = part.ends([0.0, -step], [0.0, -couple], true);
-            let w = rows[i].block.w + third;
-            rows[i].block = Block::new(1.0 / part.length(), w, 0.5 * third);
-            rows[i + 1].block.w += third;
+            let [[turn_a, shear_a, _], [turn_b, shear_b, _]] = part.ends([0.0, -step], [0.0, -couple]);
+            if let Some(Tense { law: [c, pull, third, off, left], .. }) = part.tense {
+                let w = rows[i].block.w + third;
+                (rows[i].block, rows[i].left) = (Block::new(c, w, off).on_springs(-pull, 0.0), left);
+                rows[i + 1].block.w += third;
+            } else {
+                let w = rows[i].block.w + third;
+                rows[i].block = Block::new(1.0 / part.length(), w, 0.5 * third);
+                rows[i + 1].block.w += third;
+            }
             right[i] = [right[i][0] - shear_a, right[i][1] - turn_a];
             right[i + 1] = [right[i + 1][0] + shear_b, right[i + 1][1] + turn_b];
         }
@@ -289,6 +331,12 @@ impl Chain<'_> {
             right[i + 1] = [right[i + 1][0] + pushed, right[i + 1][1] + bend];
         }
         for (end, side) in [(0, 0), (n, 1)] {
+            if let Some([bent, force]) = self.tips[side] {
+                right[end][0] += if side == 0 { force } else { -force };
+                rows[end].block.w += PENALTY;
+                right[end][1] = -PENALTY * bent;
+                continue;
+            }
             rows[end].theta = PENALTY;
             right[end][0] = PENALTY * if self.way.in_beam { 0.0 } else { self.way.heights[side] };
             let sign = if side == 0 { 1.0 } else { -1.0 };

@@ -86,7 +86,12 @@ impl List {
         if node.can_move() {
             return Some(Unknown::Place);
         }
-        let inner = 0 < i && i + 1 < self.nodes.len();
+        // Under an axial force the moment of an overhang depends on its slope.
+        let inner = if given.tension == 0.0 {
+            0 < i && i + 1 < self.nodes.len()
+        } else {
+            0.0 < node.x && node.x < given.length
+        };
         (inner && node.held_slope(given).is_none()).then_some(Unknown::Slope)
     }
 
@@ -124,6 +129,11 @@ impl List {
                 false => parts.last().beam_b[1] + turned(parts.last().beam_b[2]),
             })
         };
+        if given.tension != 0.0 {
+            let (held, free) = (node.span_end(given, cell), End::free(given, at_left));
+            let (ends, joint) = if at_left { ([free, held], node.joint(given)) } else { ([held, free], 0.0) };
+            return divided::parts(given, ends, joint);
+        }
         let slope = node.held_slope(given).or_else(beside).unwrap_or(node.free_slope()[0]);
         let held = node.span_end(given, cell);
         let divisions =
@@ -145,13 +155,7 @@ impl List {
         if i + 1 == self.nodes.len() {
             right.hinge(given, &mut b, false);
         }
-        let (divisions, joint) = (given.divisions_between(a.x, b.x), right.joint(given));
-        if divisions.is_empty() && joint == 0.0 {
-            return Parts::one(Span::between(given, a, b));
-        }
-        let parts = divided::between(given, [a, b], divisions, joint);
-        // Nothing is known of a mechanism.
-        parts.map_or_else(|| Parts::one(Span::between(given, a, b).unknown()), Parts::of)
+        divided::parts(given, [a, b], right.joint(given))
     }
 
     /// The zones from left to right.
@@ -348,6 +352,7 @@ impl Node {
     fn hinge(&self, given: &PiecewiseScene, end: &mut End, at_left: bool) {
         if let EndCondition::Edge { height, level, .. } = end.hold
             && self.held_slope(given).is_none()
+            && (given.tension == 0.0 || self.x <= 0.0 || given.length <= self.x)
         {
             let couple = if at_left { self.couple(given) } else { -self.couple(given) };
             let curvature = Overhang::of(given, self.x, at_left).moment + couple;

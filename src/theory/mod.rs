@@ -61,6 +61,7 @@ mod span;
 mod spread;
 mod springs;
 mod summary;
+mod tension;
 mod touching;
 mod tridiagonal;
 mod violation;

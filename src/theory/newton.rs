@@ -71,12 +71,12 @@ fn response([left, right]: [Option<Unknown>; 2], [first, last]: [&Span; 2]) -> [
     };
     let (turn_a, carry_a) = turn(left, &first.at_a, first.stiffness);
     let (turn_b, carry_b) = turn(right, &last.at_b, last.stiffness);
+    if let Some([[aa, ab], [ba, bb]]) = first.answer {
+        return [[carry_a + aa * turn_a, ab * turn_b], [ba * turn_a, carry_b + bb * turn_b]];
+    }
     if first.is_overhang() || last.is_overhang() {
         // Its moment is known from its loads.
         return [[carry_a, 0.0], [0.0, carry_b]];
-    }
-    if let Some([[aa, ab], [ba, bb]]) = first.answer {
-        return [[carry_a + aa * turn_a, ab * turn_b], [ba * turn_a, carry_b + bb * turn_b]];
     }
     let l = first.length() / first.stiffness;
     match (first.a.hold.is_hinged(), first.b.hold.is_hinged()) {
