@@ -50,5 +50,7 @@ pub(super) fn in_intervals<R>(scene: &Scene, balance: Balance, act: impl FnOnce(
         beam,
         changes: &changes,
         joints: &joints,
+        tension: beam.tension(),
+        hung: &[],
     })
 }

@@ -72,6 +72,7 @@ use self::kernel::contact_node::EnclosedScene;
 use self::kernel::distance::{self, Error};
 use self::kernel::held::hold_by_zones;
 use self::kernel::proof::{self, Pair, Piece};
+pub(crate) use self::kernel::tension::{Hung, MOST_TERMS};
 use self::largest::{extremes, largest};
 use self::quantities::energy;
 use self::standing::Standing;
@@ -108,18 +109,25 @@ impl Proof {
     ///
     /// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled.
     pub fn of(scene: &Scene, witness: &[Contact]) -> Result<Self, SceneError> {
-        Self::of_held(scene, witness, &[])
+        Self::of_held(scene, witness, &[], &[])
     }
 
-    /// The same with the places of supports at which the ground holds the slope, and whether it does so from the left.
+    /// The same with the places of supports at which the ground holds the slope, and whether it does so from the left; under an axial force
+    /// with the deflection between contacts, in the units of [`Scene::scaled`].
     ///
     /// # Errors
     ///
     /// Those of [`Proof::of`].
-    pub(crate) fn of_held(scene: &Scene, witness: &[Contact], held: &[(f64, bool)]) -> Result<Self, SceneError> {
+    pub(crate) fn of_held(
+        scene: &Scene,
+        witness: &[Contact],
+        held: &[(f64, bool)],
+        hung: &[Hung],
+    ) -> Result<Self, SceneError> {
         scene.on_rigid_ground("a certificate from a list of contacts")?;
         let scaled = scene.scaled()?;
         let (pair, known) = in_intervals(&scaled.scene, scaled.balance, |enclosed| {
+            let enclosed = &EnclosedScene { hung, ..*enclosed };
             of_pair(enclosed, &scaled, best_pair(enclosed, witness, held, &scaled.scale))
         });
         Ok(Self { scaled, pair, known })

@@ -18,6 +18,7 @@
 use super::kernel::contact_node::{ContactNode, EnclosedScene, EnclosedSupport, Slope};
 use super::kernel::gap::EnclosedGap;
 use super::kernel::interval::Interval;
+use super::kernel::polynomial::Polynomial;
 use super::kernel::proof::{Pair, Piece};
 use crate::scene::Scale;
 use crate::state::Contact;
@@ -159,7 +160,11 @@ fn find_slopes(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
         along_level_ground(enclosed, nodes);
         return;
     }
-    balance(enclosed, nodes);
+    if enclosed.tension == 0.0 {
+        balance(enclosed, nodes);
+    } else {
+        as_given(enclosed, nodes);
+    }
     along_level_ground(enclosed, nodes);
     at_corners(enclosed, nodes);
 }
@@ -222,6 +227,19 @@ fn least_sample(function: impl Fn(f64) -> f64, width: f64, bound: f64) -> f64 {
         part = beside.map(place);
     }
     least
+}
+
+/// Under an axial force the slopes are those of the deflection that is given besides, just right of a node or, where there is none, left.
+fn as_given(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
+    for node in nodes {
+        let Slope::Free(slope) = &mut node.slope else { continue };
+        let right = enclosed.hung.iter().find(|part| part.from <= node.x && node.x < part.to);
+        let Some(part) = right.or_else(|| enclosed.hung.iter().find(|part| part.to.total_cmp(&node.x).is_eq())) else {
+            continue;
+        };
+        let turned = Polynomial::of(part.deflection.iter().map(|c| Interval::exact(*c))).derivative();
+        *slope = turned.at(Interval::length(part.from, node.x)).middle();
+    }
 }
 
 /// Finds the slopes for which the moments are balanced.

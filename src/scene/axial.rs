@@ -54,19 +54,6 @@ pub(crate) fn bow(z: f64, [sigma, rho]: [f64; 2]) -> f64 {
     rho * sigma * (1.0 + rho) * sum / sine
 }
 
-/// How much of a load at the distance `ρ ℓ` from one end bends the other one there without a turn: `sinh(u ρ)/sinh u`.
-pub(crate) fn reach(z: f64, rho: f64) -> f64 {
-    let (square, mut sine, mut sum, mut p) = (rho * rho, 0.0, 0.0, 1.0);
-    let mut power = 1.0;
-    for n in (0..TERMS).map(|n| 2.0 * f64::from(n)) {
-        sine += p;
-        sum += p * power;
-        power *= square;
-        p *= z / ((n + 2.0) * (n + 3.0));
-    }
-    rho * sum / sine
-}
-
 /// A part of a beam between two places of what holds or changes it.
 struct Part {
     length: f64,

@@ -11,8 +11,12 @@
 //! `F_a = ∫ f r/ℓ dx`. Every cell of a scene under an axial force is a part and at most [`LONGEST`](axial::LONGEST)`/μ` long,
 //! `μ² = N/e`: a beam of hyperbolic functions is there a polynomial to rounding, and so is what these integrals are of.
 
+use super::exact::Exact;
+use super::piece::Piece;
 use super::piecewise::PiecewiseScene;
+use super::shape::shifted;
 use super::span::{Drive, End};
+use crate::certificate::{Hung, MOST_TERMS};
 use crate::scene::axial;
 
 /// Coefficients of the Taylor series of a beam in a cell, from an end of it to the middle: `0.4¹⁶/16!` is less than `10⁻¹⁹`.
@@ -64,6 +68,24 @@ impl Tense {
             [chord - bent_a + a[0], rise + a[1], third(-bent_a) + a[2]],
             [chord + bent_b + b[0], rise + b[1], third(bent_b) + b[2]],
         ]
+    }
+}
+
+impl Exact {
+    /// Under an axial force the deflection between contacts, in the units of [`Scene::scaled`](crate::scene::Scene::scaled): a part of the
+    /// witness of a certificate. About its middle a piece, of half a cell, needs few terms: `0.2¹¹/11!` is `5·10⁻¹⁶`.
+    pub(crate) fn hung(&self) -> Vec<Hung> {
+        let hangs = |piece: &&Piece| self.given.tension != 0.0 && piece.state.is_some();
+        let mut taylor = vec![0.0; self.given.terms];
+        let of = |piece: &Piece| {
+            piece.deflection(&self.given, &mut taylor);
+            let mut few = vec![0.0; MOST_TERMS.min(taylor.len())];
+            shifted(&taylor, 0.5 * (piece.lo + piece.hi) - piece.anchor, &mut few);
+            let mut deflection = vec![0.0; few.len()];
+            shifted(&few, -0.5 * piece.width(), &mut deflection);
+            Hung { from: piece.lo, to: piece.hi, deflection }
+        };
+        self.pieces.iter().filter(hangs).map(of).collect()
     }
 }
 

@@ -18,6 +18,7 @@ use super::gap::EnclosedGap;
 use super::interval::Interval;
 use super::load::{EnclosedLoad, cells};
 use super::span::Span;
+use super::tension::Hung;
 use crate::scene::{Beam, Scene};
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,6 +73,9 @@ pub(crate) struct EnclosedScene<'a> {
     /// Where the bending stiffness changes, and where joints are, with their stiffness; from left to right.
     pub(crate) changes: &'a [f64],
     pub(crate) joints: &'a [(f64, f64)],
+    /// `N`, and under it what is given of the deflection between contacts, from left to right, from anybody.
+    pub(crate) tension: f64,
+    pub(crate) hung: &'a [Hung],
 }
 
 impl EnclosedSupport {

@@ -79,10 +79,12 @@ fn every_other(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2], parts: u32) -
     let end = |k: u32| if k < parts { from + (to - from) * (f64::from(k) / f64::from(parts)) } else { to };
     let pressed = |k: u32| {
         let [from, to] = [end(k), end(k + 1)];
-        let [start, end] = [(from, false), (to, true)].map(|(x, left)| enclosed.gap.jet(x, left)[3]);
+        let [start, end] = [(from, false), (to, true)].map(|(x, left)| enclosed.gap.jet(x, left));
         let load = [from, to].map(|x| enclosed.load.line(x, [from, to])[0] * Interval::length(from, to) / number(2));
         let stiffness = Interval::exact(enclosed.stiffness_between([from, to]));
-        let presses = (stiffness * (start - end) + load[0] + load[1]).lo();
+        let presses = stiffness * (start[3] - end[3]) + load[0] + load[1];
+        let pulled = || Interval::exact(enclosed.tension) * (end[1] - start[1]);
+        let presses = if enclosed.tension == 0.0 { presses } else { presses + pulled() }.lo();
         (from < to && enclosed.breaks(from, to).is_empty()).then_some(Datum { to, presses, ..Datum::at(from) })
     };
     (0..parts).step_by(2).filter_map(pressed).collect()

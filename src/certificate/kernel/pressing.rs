@@ -61,11 +61,16 @@ impl PullCutOff {
     }
 }
 
-/// `q − EI g''''` of a cell on which the beam lies on the ground, about an origin.
+/// `q − EI g'''' + N g''` of a cell on which the beam lies on the ground, about an origin.
 pub(crate) fn pressure(enclosed: &EnclosedScene<'_>, origin: f64, cell: [f64; 2]) -> Polynomial {
     let fourth = enclosed.gap.about(origin, cell).derivative().derivative().derivative().derivative();
     let stiffness = Interval::exact(enclosed.stiffness_between(cell));
-    Polynomial::new(&enclosed.load.line(origin, cell)).minus(&fourth.times(stiffness))
+    let pressure = Polynomial::new(&enclosed.load.line(origin, cell)).minus(&fourth.times(stiffness));
+    if enclosed.tension == 0.0 {
+        return pressure;
+    }
+    let bent = enclosed.gap.about(origin, cell).derivative().derivative();
+    pressure.plus(&bent.times(Interval::exact(enclosed.tension)))
 }
 
 /// A zone, as pieces: the beam on the foundation all the way between two places, if it can lie there; and what pulls.

@@ -98,8 +98,7 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
         let Some(span) = span else {
             let [Some(left), Some(right)] = ends(i) else { continue };
             pieces.extend(pressing::zone(enclosed, [left.x, right.x], &mut cut_off)?);
-            shears[i] = [(left, false), (right, true)]
-                .map(|(j, left)| -(enclosed.stiffness_beside(j.x, left) * enclosed.gap.jet(j.x, left)[3]));
+            shears[i] = [(left, false), (right, true)].map(|(j, left)| enclosed.force_along(j.x, left));
             continue;
         };
         let length = Interval::length(span.from, span.to);
@@ -107,7 +106,7 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
         let [first, last] = [enclosed.load.couple(0.0), -enclosed.load.couple(enclosed.length)];
         let beside = |i: usize, side: usize, end| moments.get(i).map_or(end, |node| node.0[side]);
         let moments = [beside(i.wrapping_sub(1), 1, first), beside(i, 0, last)];
-        shears[i] = span.shears(moments);
+        shears[i] = span.shears(enclosed.tension, moments);
         gap = gap + span.work(enclosed, moments);
         for (x, kink) in span.kinks() {
             let k = enclosed.joints.iter().find(|joint| joint.0.total_cmp(x).is_eq()).map_or(0.0, |joint| joint.1);
@@ -116,7 +115,8 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
         let parts = span.curves(enclosed, Vec::new());
         let lift = clearance::lift(enclosed, span, &parts, ends(i))?;
         let bent = lift.derivative().derivative();
-        lifts = lifts + bent.integral_of_product(&bent, length).not_negative() * stiffest;
+        let bent = bent.integral_of_product(&bent, length).not_negative() * stiffest;
+        lifts = lifts + enclosed.lifted(bent, &lift, length);
         lifted = lifted.max(lift.range(length).magnitude());
         pieces.extend(parts.into_iter().map(|([from, to], [v, _])| {
             let v = v.minus(&lift.shifted(Interval::length(span.from, from)));
@@ -139,7 +139,9 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
             cut_off.couple(node.x, jump, [true, false].map(made));
         }
     }
-    let gap_of = |carried, off| corrected(gap, lifts, carried, off);
+    let steady = Interval::exact(enclosed.steadiness());
+    (0.0 < steady.lo()).then_some(())?;
+    let gap_of = |carried, off| corrected(gap, lifts, carried, off, steady);
     let carriers = carriers(enclosed, nodes, &forces);
     let (gap, share, lines) = held_by(enclosed, turns_about, carriers, &pieces, &cut_off, gap_of)?;
     let corrected = Interval::around_zero(share.hi());
@@ -150,10 +152,11 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
 
 /// The gap with what corrections cost: those of `v̂`, and the moments and the share of what is cut off, which is taken from places that
 /// are `off` the ground by so much.
-fn corrected(gap: Interval, lifts: Interval, [moment, share]: [Interval; 2], off: f64) -> f64 {
+fn corrected(gap: Interval, lifts: Interval, [moment, share]: [Interval; 2], off: f64, steady: Interval) -> f64 {
     let root = (number(2) * gap.not_negative()).sqrt() + lifts.sqrt() + moment;
     // What presses beside the ground has the clearance there for its gap.
-    (root.square() / number(2) + share * Interval::exact(off)).hi()
+    let gap = root.square() / number(2) + share * Interval::exact(off);
+    if steady == number(1) { gap.hi() } else { (gap / steady.square()).hi() }
 }
 
 /// Whether nodes are in order, have all supports among them, end every zone that they start, and follow the ground only where
