@@ -15,7 +15,7 @@
 //!
 //! Where no more than two supports and no ground can carry a beam, its forces follow from statics alone.
 //!
-//! Under an axial force this is said of `m + N w` (`gap_of_lines`), whose slope is the vertical force.
+//! Under an axial force the vertical forces differ by such a `κ` (`under_axial_force`).
 //!
 //! A support that only pushes is a point of the ground. Where the beam is clear of the ground beside it, its force follows in the
 //! same way; where the beam is clear of it, it is zero.
@@ -153,7 +153,7 @@ fn supports(enclosed: &EnclosedScene<'_>, pair: &Pair, load: Interval) -> Vec<Op
     if pair.gap <= 0.0 {
         return supports_of(enclosed, pair).into_iter().map(Some).collect();
     }
-    let (all, gap) = (enclosed.all_supports(), gap_of_lines(enclosed, pair));
+    let all = enclosed.all_supports();
     if let Some(about) = pair.turns_about {
         let is_alone = carries_all(enclosed, pair, about);
         let force = |x: f64| if x.total_cmp(&about).is_eq() { load } else { Interval::ZERO };
@@ -175,11 +175,13 @@ fn supports(enclosed: &EnclosedScene<'_>, pair: &Pair, load: Interval) -> Vec<Op
             [(before, 0), (after, 1)].map(|(next, side)| next.is_none() && (ends[side] - reached[side]).abs() <= 0.0);
         let mut turns = Interval::ZERO;
         for side in [0, 1] {
-            let is_straight = enclosed.tension == 0.0 || x <= 0.0 || enclosed.length <= x;
-            let is_free = given[1 - side] && enclosed.support(x).is_none_or(|s| s.slope.is_none()) && is_straight;
-            let share = if is_free { 6 } else { 24 };
+            let share = if given[1 - side] && enclosed.support(x).is_none_or(|s| s.slope.is_none()) { 6 } else { 24 };
             let c = Interval::exact(least_magnitude(clear[side]));
-            let turn = number(share) * Interval::exact(enclosed.stiffest) * gap / (c * c * c);
+            let turn = if enclosed.tension == 0.0 {
+                number(share) * Interval::exact(enclosed.stiffest) * Interval::exact(pair.gap) / (c * c * c)
+            } else {
+                under_axial_force(enclosed, pair, c)
+            };
             match (given[side] || lies_beside(enclosed, pair, x, side), c.lo() <= 0.0) {
                 (true, _) => {}
                 (false, true) => return None,
@@ -192,16 +194,22 @@ fn supports(enclosed: &EnclosedScene<'_>, pair: &Pair, load: Interval) -> Vec<Op
     supports_of(enclosed, pair).into_iter().enumerate().map(bracket).collect()
 }
 
-/// At least `½ ∫ (m + N w)²/EI dx` with `w = v̂ − v*` less what it is at a support: of both moment fields under an axial force `m + N w` is a
-/// line where neither has a contact load, and its slope is what the vertical forces differ by.
-fn gap_of_lines(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Interval {
-    let gap = Interval::exact(pair.gap);
-    if enclosed.tension == 0.0 {
-        return gap;
-    }
-    let off = Interval::exact(2.0 * distance::anywhere(pair, enclosed.stiffness, enclosed.length));
-    let root = (Interval::exact(enclosed.length) / (number(2) * Interval::exact(enclosed.stiffness))).sqrt();
-    (gap.sqrt() + Interval::exact(enclosed.tension.abs()) * off * root).square()
+/// At least `κ²` of a beam under an axial force, whose vertical forces differ by `κ = m' + N w'`, `w = v̂ − v*`, up to the distance `c`. The
+/// moments of the pair are in balance with the loads and `N v̂''`, so that they are `ρ` off `−EI v̂''`, and with `φ = 6 s (c − s)/c³`
+///
+/// ```text
+/// κ = ∫ κ φ dx = −∫ m φ' dx + ∫ N w' φ dx,    ‖m‖ ≤ ρ + ‖w‖ ≤ 2 √(2 gap)
+/// |κ| ≤ √(2 gap) (2 √(12 EI/c³) + √(6 N/5 c)),      under compression with max |w| (∫ |φ'| dx = 3/c) in the last term: 3 |N| max |w|/c
+/// ```
+fn under_axial_force(enclosed: &EnclosedScene<'_>, pair: &Pair, c: Interval) -> Interval {
+    let (root, force) = ((number(2) * Interval::exact(pair.gap)).sqrt(), Interval::exact(enclosed.tension.abs()));
+    let bent = number(2) * root * (number(12) * Interval::exact(enclosed.stiffest) / (c * c * c)).sqrt();
+    let pulled = if 0.0 < enclosed.tension {
+        root * (number(6) * force / (number(5) * c)).sqrt()
+    } else {
+        number(3) * force * Interval::exact(distance::anywhere(pair, enclosed.stiffness, enclosed.length)) / c
+    };
+    (bent + pulled).square()
 }
 
 /// Whether the beam is proven to be clear of the support that only pushes at a place.

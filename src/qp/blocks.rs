@@ -47,6 +47,11 @@ impl Block {
         Self { sigma, eta, ..self }
     }
 
+    /// Whether its solution is one.
+    pub(crate) fn is_finite(&self) -> bool {
+        (self.step[0] + self.step[1]).is_finite()
+    }
+
     /// The pivot, if it is no positive number, or if the solution is none.
     pub(crate) fn failed(&self) -> Option<f64> {
         let sound = 0.0 < self.inverse && (self.inverse + self.step[0] + self.step[1]).is_finite();

@@ -26,7 +26,7 @@ pub(super) const TERMS: usize = 18;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Tense {
     /// `N`.
-    force: f64,
+    pub(super) force: f64,
     /// `1/ℓ`, `N/ℓ`, `w`, `ω` and `1/ℓ² − ω N/ℓ`.
     pub(super) law: [f64; 5],
     /// What the load makes of `h'`, `T` and `e h'''` at both ends.

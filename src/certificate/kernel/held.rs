@@ -11,7 +11,7 @@ use super::proof::{Pair, Piece};
 use super::reference::{Datum, Line};
 
 /// A place with what is known of the deflection there; [`None`] if what is cut off, and taken from it, uses it up.
-fn known(place: Datum, gap: f64, share: Interval) -> Option<Datum> {
+pub(super) fn known(place: Datum, gap: f64, share: Interval) -> Option<Datum> {
     if place.presses.is_infinite() {
         return Some(place);
     }
@@ -26,13 +26,13 @@ fn known(place: Datum, gap: f64, share: Interval) -> Option<Datum> {
 pub(super) fn held_by(
     enclosed: &EnclosedScene<'_>,
     turns_about: Option<f64>,
-    mut carriers: Vec<Datum>,
+    carriers: &mut [Datum],
     pieces: &[Piece],
     cut_off: &PullCutOff,
     gap_of: impl Fn([Interval; 2], f64) -> f64,
 ) -> Option<(f64, Interval, Vec<Line>)> {
     let fixed = enclosed.supports.iter().filter(|s| s.is_fixed).map(|s| s.x);
-    let lines = lines(enclosed, fixed.chain(turns_about), &mut carriers);
+    let lines = lines(enclosed, fixed.chain(turns_about), carriers);
     if !lines.is_empty() {
         let carried = cut_off.carried(&lines, enclosed.stiffness, enclosed.soft());
         let gap = gap_of(carried, 0.0);
@@ -41,6 +41,11 @@ pub(super) fn held_by(
         if let Some(lines) = lines.into_iter().map(both).collect() {
             return Some((gap, carried[1], lines));
         }
+    }
+    if 0.0 < enclosed.tension {
+        // A string is held by one place, which carries nothing of what is cut off.
+        let carried = cut_off.carried(&[], enclosed.stiffness, enclosed.soft());
+        return Some((gap_of(carried, 0.0), carried[1], Vec::new()));
     }
     let place = *carriers.iter().find(|place| place.to <= place.from)?;
     let couples: f64 = cut_off.pulls.iter().map(|pull| pull.2).sum();

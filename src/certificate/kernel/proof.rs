@@ -32,6 +32,7 @@ use super::polynomial::{Polynomial, number};
 use super::pressing::{self, PullCutOff};
 use super::reference::Line;
 use super::span::Span;
+use super::tension::Taut;
 
 /// `v̂` on a part of the beam.
 #[derive(Debug, Clone)]
@@ -68,6 +69,8 @@ pub(crate) struct Pair {
     pub(crate) turned: Interval,
     /// [`EnclosedScene::soft`].
     pub(crate) soft: f64,
+    /// What holds it as a string.
+    pub(crate) taut: Taut,
 }
 
 /// What a pair on an elastic foundation has besides.
@@ -88,6 +91,7 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
     // Part i is that to the left of node i.
     let ends = |i: usize| [i.checked_sub(1).map(|i| &nodes[i]), nodes.get(i)];
     let spans: Vec<Option<Span>> = (0..=nodes.len()).map(|i| enclosed.span(ends(i)[0], ends(i)[1])).collect();
+    let spans = enclosed.balanced(nodes, spans);
     let moments: Vec<_> = (0..nodes.len()).map(|i| moments(enclosed, nodes, &spans, i)).collect();
     let mut gap = Interval::ZERO;
     let (mut lifts, mut lifted) = (Interval::ZERO, 0.0_f64);
@@ -112,11 +116,13 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
             let k = enclosed.joints.iter().find(|joint| joint.0.total_cmp(x).is_eq()).map_or(0.0, |joint| joint.1);
             turned = turned + kink.square() * Interval::exact(0.5 * k);
         }
-        let parts = span.curves(enclosed, Vec::new());
+        let mut parts = span.curves(enclosed, Vec::new());
+        let beside = span.lift_beside(enclosed, &mut parts, ends(i))?;
         let lift = clearance::lift(enclosed, span, &parts, ends(i))?;
         let bent = lift.derivative().derivative();
         let bent = bent.integral_of_product(&bent, length).not_negative() * stiffest;
-        lifts = lifts + enclosed.lifted(bent, &lift, length);
+        let bent = enclosed.lifted(bent, &lift, length);
+        lifts = lifts + if beside.is_zero() { bent } else { (bent.sqrt() + beside).square() };
         lifted = lifted.max(lift.range(length).magnitude());
         pieces.extend(parts.into_iter().map(|([from, to], [v, _])| {
             let v = v.minus(&lift.shifted(Interval::length(span.from, from)));
@@ -134,7 +140,7 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
             cut_off.force(node.x, force);
         }
         // Loads in balance need no couple, and what the beam is built in exerts any.
-        if turns_about.is_none() {
+        if turns_about.is_none() && !enclosed.hangs_on(nodes) {
             let made = |left: bool| support.is_some_and(|s| s.slope.is_some() || enclosed.order(node, left) == 2);
             cut_off.couple(node.x, jump, [true, false].map(made));
         }
@@ -142,12 +148,13 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
     let steady = Interval::exact(enclosed.steadiness());
     (0.0 < steady.lo()).then_some(())?;
     let gap_of = |carried, off| corrected(gap, lifts, carried, off, steady);
-    let carriers = carriers(enclosed, nodes, &forces);
-    let (gap, share, lines) = held_by(enclosed, turns_about, carriers, &pieces, &cut_off, gap_of)?;
+    let mut carriers = carriers(enclosed, nodes, &forces);
+    let (gap, share, lines) = held_by(enclosed, turns_about, &mut carriers, &pieces, &cut_off, gap_of)?;
+    let taut = Taut::of(enclosed, carriers, gap, share);
     let corrected = Interval::around_zero(share.hi());
     let carried = nodes.iter().zip(forces).map(|(node, force)| (node.x, force + corrected)).collect();
     let (zones, ground, soft) = (Vec::new(), None, enclosed.soft());
-    Some(Pair { pieces, gap, carried, lines, zones, turns_about, lifted, ground, turned, soft })
+    Some(Pair { pieces, gap, carried, lines, zones, turns_about, lifted, ground, turned, soft, taut })
 }
 
 /// The gap with what corrections cost: those of `v̂`, and the moments and the share of what is cut off, which is taken from places that

@@ -32,6 +32,7 @@ use super::pressing::PullCutOff;
 use super::proof::{Pair, Piece, Sprung};
 use super::reference::{Datum, Line};
 use super::span::Span;
+use super::tension::Taut;
 
 /// A part of the beam, from anybody.
 #[derive(Debug, Clone, PartialEq)]
@@ -326,8 +327,8 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, ground: f64, stretches: &[Stret
     let carried = nodes.iter().map(|node| (on.x(*node), force(node) + Interval::around_zero(share.hi()))).collect();
     let zones = on.held_by_groups(&sums.carriers, gap);
     let ground = Some(Sprung { stiffness: k, energy: sums.energy / number(2), moments: sums.moments });
-    let (pieces, turned, soft) = (sums.pieces, Interval::ZERO, enclosed.soft());
-    Some(Pair { pieces, gap, carried, lines, zones, turns_about: None, lifted: 0.0, ground, turned, soft })
+    let (pieces, turned, soft, taut) = (sums.pieces, Interval::ZERO, enclosed.soft(), Taut::default());
+    Some(Pair { pieces, gap, carried, lines, zones, turns_about: None, lifted: 0.0, ground, turned, soft, taut })
 }
 
 #[cfg(test)]

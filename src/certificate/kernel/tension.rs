@@ -17,11 +17,13 @@
 
 use std::rc::Rc;
 
-use super::contact_node::EnclosedScene;
+use super::clearance;
+use super::contact_node::{ContactNode, EnclosedScene, Slope};
+use super::held::known;
 use super::interval::Interval;
 use super::load::cells;
 use super::polynomial::{Polynomial, TERMS, number};
-use super::reference::OUTWARDS;
+use super::reference::{Datum, OUTWARDS};
 use super::span::{Curve, Span};
 use super::springs::cubic;
 
@@ -53,6 +55,48 @@ fn numbers(of: &Polynomial, s: Interval) -> [Interval; 2] {
     [of.at(s), of.derivative().at(s)].map(|value| Interval::exact(value.middle()))
 }
 
+/// What holds a beam under tension as a string: `½∫ N w'²` is less than the gap as well, and with a place `y` where `|w| ≤ ε`
+///
+/// ```text
+/// |w(x)| ≤ ε + √(2 gap |x − y|/N)
+/// ```
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Taut {
+    places: Vec<Datum>,
+    /// At least `√(3 EI/N)`.
+    lever: f64,
+}
+
+impl Taut {
+    /// Of the places that carry a beam, of which a share is taken.
+    pub(super) fn of(enclosed: &EnclosedScene<'_>, carriers: Vec<Datum>, gap: f64, share: Interval) -> Self {
+        /// The price of a bound is in proportion.
+        const MOST: usize = 64;
+        if enclosed.tension <= 0.0 {
+            return Self::default();
+        }
+        let supports = enclosed.supports.iter().map(|support| Datum::at(support.x));
+        let pressing = carriers.into_iter().filter_map(|place| known(place, gap, share));
+        let places = supports.chain(pressing).take(MOST).collect();
+        let lever = (number(3) * Interval::exact(enclosed.stiffness) / Interval::exact(enclosed.tension)).sqrt().hi();
+        Self { places, lever }
+    }
+
+    /// At most `|w|` on a part of the beam, from `√(2 gap/3 EI)`.
+    pub(super) fn on_part(&self, factor: f64, [a, b]: [f64; 2]) -> f64 {
+        let bound = |place: &Datum| {
+            let far = (b - place.from).max(place.to - a).max(0.0);
+            (factor * self.lever * far.sqrt() + place.uncertainty) * OUTWARDS
+        };
+        self.places.iter().map(bound).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Where they are.
+    pub(super) fn places(&self) -> impl Iterator<Item = f64> {
+        self.places.iter().flat_map(|place| [place.from, place.to])
+    }
+}
+
 impl Span {
     /// The beam between two places with `[v, v']` at those that are no free end, by what is given of it.
     pub(super) fn under_tension(
@@ -82,26 +126,48 @@ impl Span {
             parts.push((*cell, t.plus(&cubic([start, end], t, width(cell), None))));
             start = beyond;
         }
+        Self::of_parts(enclosed, parts.into(), kinks, loaded, ends.map(|end| end.is_none()))
+    }
+
+    /// The span of these parts, of which an end may be free.
+    fn of_parts(
+        enclosed: &EnclosedScene<'_>,
+        parts: Parts,
+        kinks: Vec<(f64, Interval)>,
+        loaded: [Interval; 2],
+        free: [bool; 2],
+    ) -> Self {
+        let (first, last) = (&parts[0], &parts[parts.len() - 1]);
+        let [from, to] = [first.0[0], last.0[1]];
         let length = Interval::length(from, to);
         let jet = |part: &([f64; 2], Polynomial), s: Interval| {
             let [v1, v2] = [part.1.derivative(), part.1.derivative().derivative()];
             [part.1.at(s), v1.at(s), v2.at(s), v2.derivative().at(s)]
         };
-        let (first, last) = (&parts[0], &parts[parts.len() - 1]);
-        let [mut start, mut end] = [jet(first, Interval::ZERO), jet(last, width(&last.0))];
+        let [mut start, mut end] = [jet(first, Interval::ZERO), jet(last, Interval::length(last.0[0], to))];
         let pulled = Interval::exact(enclosed.tension) * (end[0] - start[0]);
         let (load, [b, a]) = (enclosed.load, loaded.map(|mean| mean * length));
         // At a free end moment and vertical force are what acts there.
-        if ends[1].is_none() {
+        if free[1] {
             let moment = pulled - load.couple(to) - a - load.point(to) * length;
             start[2] = -(moment / enclosed.stiffness_beside(from, false));
             end[2] = load.couple(to) / enclosed.stiffness_beside(to, true);
-        } else if ends[0].is_none() {
+        } else if free[0] {
             let moment = load.couple(from) - load.point(from) * length - pulled - b;
             start[2] = -(load.couple(from) / enclosed.stiffness_beside(from, false));
             end[2] = -(moment / enclosed.stiffness_beside(to, true));
         }
-        Self { from, to, start, end, loaded, flexible: None, kinks, hung: Some(parts.into()) }
+        Self { from, to, start, end, loaded, flexible: None, kinks, hung: Some(parts) }
+    }
+
+    /// An overhang turned about the one place that carries a beam.
+    fn turned(&self, enclosed: &EnclosedScene<'_>, about: f64, angle: Interval) -> Option<Self> {
+        let parts = self.hung.as_ref()?.iter().map(|([from, to], v)| {
+            let turn = Polynomial::new(&[angle * Interval::length(about, *from), angle]);
+            ([*from, *to], v.plus(&turn))
+        });
+        let free = [self.from < about, about < self.to];
+        Some(Self::of_parts(enclosed, parts.collect(), self.kinks.clone(), self.loaded, free))
     }
 
     /// At least `½∫ r²/EI + Σ (k [v̂'] + M)²/2k` of parts, from the moments at the two ends of the span and the vertical force at the left one.
@@ -145,6 +211,34 @@ impl Span {
         sum
     }
 
+    /// Lifts the parts beside contacts, each for itself, as far as it has to be: over a whole span the axial force would make much of what is
+    /// a rounding of `h''` at a contact. At least the root of what it costs.
+    pub(super) fn lift_beside(
+        &self,
+        enclosed: &EnclosedScene<'_>,
+        curves: &mut [Curve],
+        nodes: [Option<&ContactNode>; 2],
+    ) -> Option<Interval> {
+        let mut cost = Interval::ZERO;
+        if self.hung.is_none() || curves.len() < 2 {
+            return Some(cost);
+        }
+        for (i, ends) in [(0, [nodes[0], None]), (curves.len() - 1, [None, nodes[1]])] {
+            if ends == [None; 2] {
+                continue;
+            }
+            let [from, to] = curves[i].0;
+            let (part, width) = (Self { from, to, ..self.clone() }, Interval::length(from, to));
+            let lift = clearance::lift(enclosed, &part, &curves[i..=i], ends)?;
+            let bent = lift.derivative().derivative();
+            let bent = bent.integral_of_product(&bent, width).not_negative() * Interval::exact(enclosed.stiffest);
+            cost = cost + enclosed.lifted(bent, &lift, width).sqrt();
+            let [left, right] = curves[i].1;
+            curves[i].1 = [left.minus(&lift), right.minus(&lift.shifted(width))];
+        }
+        Some(cost)
+    }
+
     /// Its deflection by parts, each about both of its ends, with `breaks` among these.
     pub(super) fn curves_of(&self, parts: &Parts, breaks: Vec<f64>) -> Vec<Curve> {
         let places = parts.iter().map(|part| part.0[0]).chain(breaks).collect();
@@ -158,6 +252,28 @@ impl Span {
 }
 
 impl EnclosedScene<'_> {
+    /// Whether one place carries a beam under tension, which turns there until its moments are balanced.
+    pub(super) fn hangs_on(&self, nodes: &[ContactNode]) -> bool {
+        let is_free = |node: &ContactNode| matches!(node.slope, Slope::Free(_));
+        let is_held = |node: &ContactNode| self.support(node.x).is_some_and(|support| support.slope.is_some());
+        0.0 < self.tension && matches!(nodes, [node] if is_free(node) && !is_held(node))
+    }
+
+    /// The overhangs of such a beam, turned by `ε`, so that the moments beside the place are balanced: `N ε l` of them was off.
+    pub(super) fn balanced(&self, nodes: &[ContactNode], spans: Vec<Option<Span>>) -> Vec<Option<Span>> {
+        let [node] = nodes else { return spans };
+        if !self.hangs_on(nodes) {
+            return spans;
+        }
+        let moment = |side: usize| {
+            let curvature = spans[side].as_ref().map_or(Interval::ZERO, |span| [span.end, span.start][side][2]);
+            -(self.stiffness_beside(node.x, side == 0) * curvature)
+        };
+        let jump = moment(1) - moment(0) - self.load.couple(node.x);
+        let angle = -(jump / (Interval::exact(self.tension) * Interval::exact(self.length)));
+        spans.iter().map(|span| span.as_ref()?.turned(self, node.x, angle)).collect()
+    }
+
     /// The vertical force `H` of a beam that follows the ground, just beside a place.
     pub(super) fn force_along(&self, x: f64, left: bool) -> Interval {
         let (jet, stiffness) = (self.gap.jet(x, left), self.stiffness_beside(x, left));
