@@ -102,7 +102,7 @@ pub(super) fn with_touched(
 impl EnclosedScene<'_> {
     /// Whether the beam may rest on a place and turn there: on a corner of the gap, or with a joint.
     fn is_edge(&self, x: f64) -> bool {
-        self.gap.is_corner(x) || self.joints.iter().any(|joint| joint.0.total_cmp(&x).is_eq())
+        self.gap.is_corner(x) || self.is_joint(x)
     }
 }
 
@@ -307,7 +307,7 @@ fn at_corners(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
         let Slope::Free(slope) = &mut node.slope else { continue };
         let [before, after] = enclosed.gap.slopes(node.x);
         // The slope of a node is that beyond its joint.
-        let before = before.filter(|_| !enclosed.joints.iter().any(|joint| joint.0.total_cmp(&node.x).is_eq()));
+        let before = before.filter(|_| !enclosed.is_joint(node.x));
         let margin = |bound: f64| INSIDE * (bound.abs() + slope.abs());
         let least = before.filter(|_| 0.0 < node.x).map_or(f64::NEG_INFINITY, |b| b + margin(b));
         let most = after.filter(|_| node.x < enclosed.length).map_or(f64::INFINITY, |a| a - margin(a));

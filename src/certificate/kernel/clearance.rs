@@ -113,7 +113,10 @@ impl Side<'_> {
             let place = [distance + width, Interval::ZERO];
             return Some((enough(&Polynomial::new(&[clearance]), &self.shape, place, most)?, Vec::new()));
         };
-        Some((most, vec![clearance.at(width), clearance.derivative().at(width) + kink]))
+        let mut known = vec![clearance.at(width), clearance.derivative().at(width) + kink];
+        // The beam turns in a joint.
+        known.truncate(2 - usize::from(enclosed.is_joint(far)));
+        Some((most, known))
     }
 }
 

@@ -121,6 +121,11 @@ impl EnclosedScene<'_> {
         breaks
     }
 
+    /// Whether the beam may turn at a place.
+    pub(crate) fn is_joint(&self, x: f64) -> bool {
+        self.joints.iter().any(|joint| joint.0.total_cmp(&x).is_eq())
+    }
+
     /// `EI` between two places without a change between them.
     pub(crate) fn stiffness_between(&self, [from, to]: [f64; 2]) -> f64 {
         if self.changes.is_empty() { self.stiffness } else { self.beam.stiffness_between(from, to) }

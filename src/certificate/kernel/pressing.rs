@@ -89,8 +89,7 @@ pub(crate) fn zone(enclosed: &EnclosedScene<'_>, ends: [f64; 2], cut_off: &mut P
         cut_off.force(x, force);
         // The moment of a beam that follows the ground does not jump, nor does that turn in a joint.
         cut_off.couple(x, couple, [false; 2]);
-        if enclosed.joints.iter().any(|joint| joint.0.total_cmp(&x).is_eq()) && !enclosed.gap.jet(x, true)[2].is_zero()
-        {
+        if enclosed.is_joint(x) && !enclosed.gap.jet(x, true)[2].is_zero() {
             return None;
         }
     }

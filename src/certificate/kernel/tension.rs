@@ -105,7 +105,6 @@ impl Span {
         ends: [Option<[Interval; 2]>; 2],
         loaded: [Interval; 2],
     ) -> Self {
-        let is_joint = |x: f64| enclosed.joints.iter().any(|joint| joint.0.total_cmp(&x).is_eq());
         let inside = |x: &f64| from < *x && *x < to;
         let mut places = enclosed.breaks(from, to);
         places.extend(enclosed.hung.iter().flat_map(|part| [part.from, part.to]).filter(inside));
@@ -117,12 +116,12 @@ impl Span {
         for (i, (cell, t)) in cells.iter().zip(&given).enumerate() {
             let own = numbers(t, width(cell));
             let beyond = match given.get(i + 1) {
-                Some(next) if is_joint(cell[1]) => [own[0], numbers(next, Interval::ZERO)[1]],
+                Some(next) if enclosed.is_joint(cell[1]) => [own[0], numbers(next, Interval::ZERO)[1]],
                 Some(_) => own,
                 None => ends[1].unwrap_or(own),
             };
-            let end = if is_joint(cell[1]) { [beyond[0], own[1]] } else { beyond };
-            kinks.extend(is_joint(cell[1]).then_some((cell[1], beyond[1] - end[1])));
+            let end = if enclosed.is_joint(cell[1]) { [beyond[0], own[1]] } else { beyond };
+            kinks.extend(enclosed.is_joint(cell[1]).then_some((cell[1], beyond[1] - end[1])));
             parts.push((*cell, t.plus(&cubic([start, end], t, width(cell), None))));
             start = beyond;
         }
