@@ -78,6 +78,7 @@ impl Lumped {
         scene.is_placed_by_forces()?;
         scene.is_uniform("a check of contact forces")?;
         scene.has_no_tension("a check of contact forces")?;
+        scene.is_firm("a check of contact forces")?;
         let length = scene.beam().length();
         let mut inner = ContactLoad::sorted(length, forces)?;
         // An end of the beam that a support holds does not bend it.

@@ -63,6 +63,7 @@ pub struct Violation {
 pub fn violations(scene: &Scene, given: &ContactLoad) -> Result<Vec<Violation>, SceneError> {
     scene.is_uniform("a check of contact forces")?;
     scene.has_no_tension("a check of contact forces")?;
+    scene.is_firm("a check of contact forces")?;
     enclosed(scene, |enclosed, scaled| {
         let scale = &scaled.scale;
         let forces = given.scaled(scale);

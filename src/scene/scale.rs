@@ -94,6 +94,9 @@ impl Scene {
             SceneError::CompressionUnheld { value } => SceneError::CompressionUnheld { value: value * axial },
             error => error,
         };
+        if scene.beam().tension() < 0.0 {
+            scene.is_firm("a beam under compression")?;
+        }
         scene.beam().check_compression().map_err(in_units)?;
         let balance = Balance::of(&scene).map_err(|unheld| unheld.in_units_of(&scale))?;
         Ok(Scaled { scene, scale, balance })

@@ -19,7 +19,7 @@ use super::piecewise::{Breakpoint, PiecewiseScene};
 use super::span::{Drive, End, EndCondition, FixedEnd, Span, difference, fixed_end};
 use super::tension::Tense;
 use super::way::{Prescribed, Way};
-use crate::qp::blocks::{Block, PENALTY, factor, factor_under_tension, solve};
+use crate::qp::blocks::{Block, PENALTY, factor_towards, factor_under_tension, solve, solve_towards};
 
 /// How the moments at both ends of a span answer to the slopes there.
 pub(super) type Answer = [[f64; 2]; 2];
@@ -273,16 +273,22 @@ impl Chain<'_> {
     /// `h, h', n, N` at both ends of each part, and the answer.
     fn solve(&self) -> Option<(Vec<[[f64; 4]; 2]>, Answer)> {
         let (mut rows, right) = self.rows();
-        let is_compressed = self.parts[0].tense.is_some_and(|tense| tense.force < 0.0);
-        if self.parts[0].tense.is_some() {
-            factor_under_tension(&mut rows, |row| row.theta, |row| row.left);
-        } else {
-            factor(&mut rows, |row| row.theta);
+        // With at most two hinges, of which the link between hangs by nothing else, each side of the last one holds itself.
+        let last_hinge = self.places.iter().rposition(|place| place.joint.is_infinite());
+        let meeting = last_hinge.map_or(self.parts.len(), |place| place + 1);
+        let axial = self.parts[0].tense.map(|tense| tense.force);
+        match axial {
+            Some(_) => factor_under_tension(&mut rows, |row| row.theta, |row| row.left),
+            None => factor_towards(&mut rows, meeting, |row| row.theta),
         }
         let mut of = |right: &dyn Fn(usize) -> [f64; 2]| {
             rows.iter_mut().enumerate().for_each(|(i, row)| row.right = right(i));
-            solve(&mut rows, |row| row.right);
+            match axial {
+                Some(_) => solve(&mut rows, |row| row.right),
+                None => solve_towards(&mut rows, meeting, |row| row.right),
+            }
             // Under compression a part beside a free end has a negative pivot, which others make up for.
+            let is_compressed = axial.is_some_and(|force| force < 0.0);
             let bears = |row: &Row| row.block.failed().is_none() || is_compressed && row.block.is_finite();
             let sound = rows.iter().all(bears);
             sound.then(|| rows.iter().map(|row| row.block.step).collect::<Vec<_>>())

@@ -120,10 +120,11 @@ fn equations(given: &PiecewiseScene, list: &List, spans: impl Iterator<Item = (u
     };
     let mut rows: Vec<Row> = list.nodes.iter().enumerate().map(row).collect();
     let mut first = None;
-    for (right, span) in spans {
+    // Inside the iterator: its state is large, and would be moved for each span.
+    spans.for_each(|(right, span)| {
         let start = *first.get_or_insert(span);
         if span.b.hold == EndCondition::Within {
-            continue;
+            return;
         }
         first = None;
         let left = right.checked_sub(1);
@@ -139,7 +140,7 @@ fn equations(given: &PiecewiseScene, list: &List, spans: impl Iterator<Item = (u
             rows[right].derivative[1] += at_b[1];
             rows[right].jump += side(given, list, right, &span.at_b, &span.beam_b);
         }
-    }
+    });
     rows
 }
 

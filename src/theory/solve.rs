@@ -84,6 +84,10 @@ pub fn solve(scene: &Scene) -> Result<Exact, TheoryError> {
 ///
 /// Those of [`solve`].
 pub fn solve_near(scene: &Scene, near: &[&Exact]) -> Result<Exact, TheoryError> {
+    scene.is_firm("the exact solution")?;
+    if scene.beam().tension() != 0.0 {
+        scene.is_firm("the exact solution under an axial force")?;
+    }
     let scaled = scene.scaled()?;
     let foundation = scaled.scene.foundation();
     let own = scaled.scene.beam().shape().filter(|_| foundation.is_some());

@@ -113,9 +113,11 @@ impl Side<'_> {
             let place = [distance + width, Interval::ZERO];
             return Some((enough(&Polynomial::new(&[clearance]), &self.shape, place, most)?, Vec::new()));
         };
-        let mut known = vec![clearance.at(width), clearance.derivative().at(width) + kink];
-        // The beam turns in a joint.
-        known.truncate(2 - usize::from(enclosed.is_joint(far)));
+        let mut known = vec![clearance.at(width)];
+        // In a joint the beam has a kink of its own.
+        if !enclosed.is_joint(far) {
+            known.push(clearance.derivative().at(width) + kink);
+        }
         Some((most, known))
     }
 }

@@ -11,6 +11,8 @@ mod crests;
 mod elastic;
 mod explain;
 mod general;
+mod giving;
+mod hinges;
 mod level;
 mod long;
 mod near;
