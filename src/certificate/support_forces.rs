@@ -130,17 +130,26 @@ fn straight(enclosed: &EnclosedScene<'_>, i: usize) -> Option<Interval> {
 fn by_statics(scene: &Scene, load: &Load, enclosed: &EnclosedScene<'_>, pair: &Pair) -> Option<Vec<Option<Interval>>> {
     let (all, factor) = (enclosed.all_supports(), factor(pair.gap, enclosed.stiffness));
     let is_free = scene.foundation().is_none()
-        && enclosed.tension == 0.0
         && pair.turns_about.is_none()
         && enclosed.supports.iter().all(|support| support.slope.is_none());
     let touches = |x: &f64| !enclosed.pushes_at(*x) || !is_clear_of(enclosed, pair, factor, *x);
     let touched: Vec<f64> = all.iter().copied().filter(|x| is_free && touches(x)).collect();
     let [a, b] = touched[..] else { return None };
     let apart = Interval::length(a, b);
+    // The axial force turns a beam that is held at its two ends by the difference of their levels.
+    let pulled = if enclosed.tension == 0.0 {
+        Interval::ZERO
+    } else {
+        let levels = [(a, 0.0), (b, enclosed.length)].map(|(x, end)| {
+            let held = enclosed.support(x).filter(|_| x.total_cmp(&end).is_eq());
+            held.map(|support| support.deflection)
+        });
+        Interval::exact(enclosed.tension) * (levels[1]? - levels[0]?) / apart
+    };
     let force = |x: f64| {
         let force = match x {
-            _ if x <= a && a <= x => -moment(load, enclosed.length, b) / apart,
-            _ if x <= b && b <= x => moment(load, enclosed.length, a) / apart,
+            _ if x <= a && a <= x => -moment(load, enclosed.length, b) / apart + pulled,
+            _ if x <= b && b <= x => moment(load, enclosed.length, a) / apart - pulled,
             _ => return Interval::ZERO,
         };
         if enclosed.pushes_at(x) { force.not_negative() } else { force }

@@ -153,6 +153,7 @@ fn find_slopes(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
         return;
     }
     if let [node] = nodes
+        && enclosed.tension <= 0.0
         && (enclosed.balanced_at == Some(node.x) || enclosed.supports.is_empty())
         && let Slope::Free(slope) = &mut node.slope
     {

@@ -154,27 +154,42 @@ pub(crate) fn factor_towards<R: AsMut<Block>>(rows: &mut [R], meeting: usize, ra
 /// b' = Θ' + (b (c² + n g) + n e²)/d,   g' = w' + (c² g + ω (c h + c e + c² − n ω) − b ω²)/d
 /// e' = (b c (g + ω) + e (c e + c² − n ω))/d
 /// ```
+///
+/// From a free end on only the string holds what has been eliminated: a small force would lose its digits.
 pub(crate) fn factor_under_tension<R: AsMut<Block>>(
     rows: &mut [R],
+    meeting: usize,
     ratio: impl Fn(&R) -> f64,
     left: impl Fn(&R) -> f64,
 ) {
-    let (mut b, mut e, mut g) = (0.0, 0.0, 0.0);
-    for row in rows {
+    // `a` without `n`.
+    let eliminate = |row: &mut Block, carried: Carried, theta: f64, [c, off, sigma]: Between, left: f64| {
+        let (b, e, n) = (carried.a + theta, carried.e, -sigma);
+        row.pivot(Carried { a: b + n, ..carried }, 0.0, c);
+        let bent = c * e + left;
+        Carried {
+            a: (b * (c * c + n * row.g) + n * e * e) * row.inverse,
+            e: (b * c * (row.g + off) + e * bent) * row.inverse,
+            g: (c * c * row.g + off * (c * row.h + bent) - b * off * off) * row.inverse,
+        }
+    };
+    let (before, behind) = rows.split_at_mut(meeting);
+    let mut from_left = Carried::default();
+    for row in before {
         let (theta, left) = (ratio(row), left(row));
         let row = row.as_mut();
-        let (c, off, n) = (row.c, row.off, -row.sigma);
-        b += theta;
-        row.a = b + n;
-        row.h = c + e;
-        row.g = g + row.w;
-        row.inverse = 1.0 / (row.a * row.g + row.h * row.h);
-        let bent = c * e + left;
-        let next = (b * (c * c + n * row.g) + n * e * e) * row.inverse;
-        g = (c * c * row.g + off * (c * row.h + bent) - b * off * off) * row.inverse;
-        e = (b * c * (row.g + off) + e * bent) * row.inverse;
-        b = next;
+        from_left = eliminate(row, from_left, theta, row.beside(), left);
     }
+    let mut from_right = Carried::default();
+    for i in (1..behind.len()).rev() {
+        let (theta, left) = (ratio(&behind[i]), left(&behind[i - 1]));
+        let between = behind[i - 1].as_mut().beside();
+        from_right = eliminate(behind[i].as_mut(), from_right, theta, between, left);
+    }
+    let Some(row) = behind.first_mut() else { return };
+    let theta = ratio(row);
+    let (Carried { a, e, g }, right) = (from_left, from_right);
+    row.as_mut().pivot(Carried { a: a + right.a, e, g: g + right.g }, theta, right.e);
 }
 
 /// Solves with these factors for `step`, with `right`, `r₁` and `r₂`, of each row.

@@ -159,7 +159,8 @@ fn factored(rows: &mut [Row], tension: f64, ratio: impl Fn(&Row) -> f64) {
     if tension == 0.0 {
         factor(rows, ratio);
     } else {
-        factor_under_tension(rows, ratio, |Row { block: Block { c, off, .. }, .. }| c * (c - tension * off));
+        let last = rows.len() - 1;
+        factor_under_tension(rows, last, ratio, |Row { block: Block { c, off, .. }, .. }| c * (c - tension * off));
     }
 }
 

@@ -19,7 +19,7 @@ use super::piecewise::{Breakpoint, PiecewiseScene};
 use super::span::{Drive, End, EndCondition, FixedEnd, Span, difference, fixed_end};
 use super::tension::Tense;
 use super::way::{Prescribed, Way};
-use crate::qp::blocks::{Block, PENALTY, factor_towards, factor_under_tension, solve, solve_towards};
+use crate::qp::blocks::{Block, PENALTY, factor_towards, factor_under_tension, solve_towards};
 
 /// How the moments at both ends of a span answer to the slopes there.
 pub(super) type Answer = [[f64; 2]; 2];
@@ -277,16 +277,19 @@ impl Chain<'_> {
         let last_hinge = self.places.iter().rposition(|place| place.joint.is_infinite());
         let meeting = last_hinge.map_or(self.parts.len(), |place| place + 1);
         let axial = self.parts[0].tense.map(|tense| tense.force);
+        // Under an axial force it does, and towards a free end.
+        let meeting = match (axial, self.tips) {
+            (None, _) => meeting,
+            (Some(_), [Some(_), _]) => 0,
+            (Some(_), _) => self.parts.len(),
+        };
         match axial {
-            Some(_) => factor_under_tension(&mut rows, |row| row.theta, |row| row.left),
+            Some(_) => factor_under_tension(&mut rows, meeting, |row| row.theta, |row| row.left),
             None => factor_towards(&mut rows, meeting, |row| row.theta),
         }
         let mut of = |right: &dyn Fn(usize) -> [f64; 2]| {
             rows.iter_mut().enumerate().for_each(|(i, row)| row.right = right(i));
-            match axial {
-                Some(_) => solve(&mut rows, |row| row.right),
-                None => solve_towards(&mut rows, meeting, |row| row.right),
-            }
+            solve_towards(&mut rows, meeting, |row| row.right);
             // Under compression a part beside a free end has a negative pivot, which others make up for.
             let is_compressed = axial.is_some_and(|force| force < 0.0);
             let bears = |row: &Row| row.block.failed().is_none() || is_compressed && row.block.is_finite();
