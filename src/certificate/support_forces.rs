@@ -15,12 +15,14 @@
 //!
 //! Where no more than two supports and no ground can carry a beam, its forces follow from statics alone.
 //!
+//! Under an axial force the vertical forces differ by such a `κ` (`under_axial_force`).
+//!
 //! A support that only pushes is a point of the ground. Where the beam is clear of the ground beside it, its force follows in the
 //! same way; where the beam is clear of it, it is zero.
 
 use super::beside::{bends_away, lies_beside, lies_idle, opens};
 use super::kernel::contact_node::EnclosedScene;
-use super::kernel::distance::{factor, lines, on_part};
+use super::kernel::distance::{self, factor, lines, on_part};
 use super::kernel::foundation::inside;
 use super::kernel::giving::SaidSpring;
 use super::kernel::interval::Interval;
@@ -150,10 +152,20 @@ fn by_statics(scene: &Scene, load: &Load, enclosed: &EnclosedScene<'_>, pair: &P
     let touched: Vec<f64> = all.iter().copied().filter(|x| is_free && touches(x)).collect();
     let [a, b] = touched[..] else { return None };
     let apart = Interval::length(a, b);
+    // The axial force turns a beam that is held at its two ends by the difference of their levels.
+    let pulled = if enclosed.tension == 0.0 {
+        Interval::ZERO
+    } else {
+        let levels = [(a, 0.0), (b, enclosed.length)].map(|(x, end)| {
+            let held = enclosed.support(x).filter(|_| x.total_cmp(&end).is_eq());
+            held.map(|support| support.deflection)
+        });
+        Interval::exact(enclosed.tension) * (levels[1]? - levels[0]?) / apart
+    };
     let force = |x: f64| {
         let force = match x {
-            _ if x <= a && a <= x => -moment(load, enclosed.length, b) / apart,
-            _ if x <= b && b <= x => moment(load, enclosed.length, a) / apart,
+            _ if x <= a && a <= x => -moment(load, enclosed.length, b) / apart + pulled,
+            _ if x <= b && b <= x => moment(load, enclosed.length, a) / apart - pulled,
             _ => return Interval::ZERO,
         };
         if enclosed.pushes_at(x) { force.not_negative() } else { force }
@@ -190,7 +202,11 @@ fn supports(enclosed: &EnclosedScene<'_>, pair: &Pair, load: Interval) -> Vec<Op
         for side in [0, 1] {
             let share = if given[1 - side] && enclosed.support(x).is_none_or(|s| !s.holds_slope()) { 6 } else { 24 };
             let c = Interval::exact(least_magnitude(clear[side]));
-            let turn = number(share) * Interval::exact(enclosed.stiffest) * Interval::exact(pair.gap) / (c * c * c);
+            let turn = if enclosed.tension == 0.0 {
+                number(share) * Interval::exact(enclosed.stiffest) * Interval::exact(pair.gap) / (c * c * c)
+            } else {
+                under_axial_force(enclosed, pair, c)
+            };
             match (given[side] || lies_beside(enclosed, pair, x, side), c.lo() <= 0.0) {
                 (true, _) => {}
                 (false, true) => return None,
@@ -221,6 +237,24 @@ fn own_bracket(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, force: Interva
     let [k, _] = gives.spring?;
     let bracket = force + Interval::around_zero((number(2) * Interval::exact(pair.gap) * k).sqrt().hi());
     Some(if gives.pushes { bracket.positive_part() } else { bracket })
+}
+
+/// At least `κ²` of a beam under an axial force, whose vertical forces differ by `κ = m' + N w'`, `w = v̂ − v*`, up to the distance `c`. The
+/// moments of the pair are in balance with the loads and `N v̂''`, so that they are `ρ` off `−EI v̂''`, and with `φ = 6 s (c − s)/c³`
+///
+/// ```text
+/// κ = ∫ κ φ dx = −∫ m φ' dx + ∫ N w' φ dx,    ‖m‖ ≤ ρ + ‖w‖ ≤ 2 √(2 gap)
+/// |κ| ≤ √(2 gap) (2 √(12 EI/c³) + √(6 N/5 c)),      under compression with max |w| (∫ |φ'| dx = 3/c) in the last term: 3 |N| max |w|/c
+/// ```
+fn under_axial_force(enclosed: &EnclosedScene<'_>, pair: &Pair, c: Interval) -> Interval {
+    let (root, force) = ((number(2) * Interval::exact(pair.gap)).sqrt(), Interval::exact(enclosed.tension.abs()));
+    let bent = number(2) * root * (number(12) * Interval::exact(enclosed.stiffest) / (c * c * c)).sqrt();
+    let pulled = if 0.0 < enclosed.tension {
+        root * (number(6) * force / (number(5) * c)).sqrt()
+    } else {
+        number(3) * force * Interval::exact(distance::anywhere(pair, enclosed.stiffness, enclosed.length)) / c
+    };
+    (bent + pulled).square()
 }
 
 /// Whether the beam is proven to be clear of the support that only pushes at a place.
@@ -260,9 +294,13 @@ fn parts<'a>(
 ) -> impl Iterator<Item = Part<'a>> {
     /// Parts of a piece; only how far a proof reaches depends on it.
     const PARTS: u32 = 16;
+    /// The same where there are many pieces, as under an axial force: *tuned* on 2,000 of them.
+    const FEWER: u32 = 2;
+    const MANY: usize = 256;
     /// Parts that are looked at together: *tuned* on surveys of 2·10⁴ and 2·10⁵ points, of which one touches.
     const TOGETHER: usize = 64;
     let (gap, from, to) = (enclosed.gap, support.min(end), support.max(end));
+    let count = if enclosed.tension != 0.0 && MANY < pair.pieces.len() { FEWER } else { PARTS };
     let part = move |piece: &'a Piece, ends: [f64; 2], ground: &Polynomial| {
         let near = ends[usize::from(end < support)];
         let clearance = ground.minus(&piece.v.shifted(Interval::exact(near) - Interval::exact(piece.from)));
@@ -274,7 +312,7 @@ fn parts<'a>(
     let pieces = std::iter::from_fn(move || if end < support { left.next_back() } else { left.next() });
     let blocks = pieces.flat_map(move |piece| {
         let mut ends: Vec<f64> =
-            (0..=PARTS).map(|k| piece.from + (piece.to - piece.from) * (f64::from(k) / f64::from(PARTS))).collect();
+            (0..=count).map(|k| piece.from + (piece.to - piece.from) * (f64::from(k) / f64::from(count))).collect();
         ends.extend(gap.breaks(piece.from, piece.to));
         ends.sort_by(f64::total_cmp);
         ends.dedup();
