@@ -290,7 +290,7 @@ pub enum SceneError {
         value: f64,
     },
     /// What a grid needs a node for lies between its nodes.
-    #[error("no node of {intervals} equal intervals lies on {} at x = {}; {}", placed(*quantity), shown(*at), fitting(*fits))]
+    #[error("no node of {intervals} equal intervals lies on {} at x = {}; {}", quantity.at_node(), shown(*at), fitting(*fits))]
     BetweenNodes {
         /// The supports, a joint, or a step of the bending stiffness.
         quantity: Quantity,
@@ -364,15 +364,6 @@ impl SceneError {
             Self::Unheld(_) => Some(Quantity::Supports),
             Self::TooFewIntervals { .. } | Self::NoMemory { .. } | Self::NotKnown { .. } => None,
         }
-    }
-}
-
-/// What stands at a place that a grid needs a node for.
-fn placed(quantity: Quantity) -> &'static str {
-    match quantity {
-        Quantity::JointAt(_) => "the joint",
-        Quantity::StepAt(_) => "the change of the bending stiffness",
-        _ => "the support",
     }
 }
 

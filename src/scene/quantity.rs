@@ -37,6 +37,17 @@ pub enum Quantity {
     TotalLoad,
 }
 
+impl Quantity {
+    /// What stands at a place that a grid needs a node for.
+    pub(super) fn at_node(self) -> &'static str {
+        match self {
+            Self::JointAt(_) => "the joint",
+            Self::StepAt(_) => "the change of the bending stiffness",
+            _ => "the support",
+        }
+    }
+}
+
 /// A depth as a function of the place: that of the ground, or that of the axis of the unloaded beam.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Profile {
