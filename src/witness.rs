@@ -32,25 +32,27 @@ pub struct Witness<'a> {
     proof: OnceLock<Option<Proof>>,
 }
 
-/// Contacts, with the supports at which the ground holds the slope; on ground that gives with stretches from end to end.
+/// Contacts, with the supports at which the ground holds the slope, and what supports that give do; on ground that gives with stretches from end to end.
 #[derive(Debug)]
 pub(crate) struct ExactContacts {
     contacts: Vec<Contact>,
     held: Vec<(f64, bool)>,
+    springs: Vec<[f64; 2]>,
     stretches: Option<Vec<Stretch>>,
 }
 
 impl ExactContacts {
     /// Those of an answer of theory, whether it is a solution or not.
     pub(crate) fn of(exact: &Exact) -> Self {
-        Self { contacts: exact.witness(), held: exact.held(), stretches: exact.stretches() }
+        let springs = exact.sprung();
+        Self { contacts: exact.witness(), held: exact.held(), springs, stretches: exact.stretches() }
     }
 
     /// What they prove, if the scene can be scaled.
     pub(crate) fn proof(&self, scene: &Scene) -> Option<Proof> {
         match &self.stretches {
-            Some(stretches) => Proof::of_stretches(scene, stretches).ok(),
-            None => Proof::of_held(scene, &self.contacts, &self.held).ok(),
+            Some(stretches) => Proof::of_stretches_on(scene, stretches, &self.springs).ok(),
+            None => Proof::of_held(scene, &self.contacts, &self.held, &self.springs).ok(),
         }
     }
 }

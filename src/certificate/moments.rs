@@ -44,7 +44,7 @@ mod on_springs;
 use super::beside::lies_beside;
 use super::kernel::contact_node::{EnclosedScene, EnclosedSupport};
 use super::kernel::interval::Interval;
-use super::kernel::polynomial::Polynomial;
+use super::kernel::polynomial::{Polynomial, number};
 use super::kernel::proof::Pair;
 use super::kernel::reference::OUTWARDS;
 use super::largest::extremes;
@@ -64,7 +64,7 @@ pub(super) fn moments(enclosed: &EnclosedScene<'_>, pair: &Pair) -> [Option<Inte
     let [greatest, least] = extremes(pieces.iter().copied());
     // Where the beam is not built in at an end, there is a moment of zero; couples by the ground beside it leave others near by.
     let is_loaded = |x: f64| enclosed.load.couples.iter().any(|(at, _)| at.total_cmp(&x).is_eq());
-    let is_hinge = |x: f64| enclosed.support(x).is_none_or(|support| support.slope.is_none()) && !is_loaded(x);
+    let is_hinge = |x: f64| enclosed.support(x).is_none_or(|support| !support.holds_slope()) && !is_loaded(x);
     let zero = if is_hinge(0.0) || is_hinge(length) { 0.0 } else { f64::NEG_INFINITY };
     let Some((error, is_known)) = error(enclosed, pair, &pieces) else { return [None; 2] };
     let around = Interval::around_zero(error);
@@ -94,7 +94,10 @@ fn error(enclosed: &EnclosedScene<'_>, pair: &Pair, pieces: &[([f64; 2], Polynom
     let slope = pieces.iter().map(|(ends, m)| m.derivative().range(width(ends)).magnitude()).fold(0.0, f64::max);
     let distributed = pieces.iter().flat_map(|(ends, _)| ends.map(|x| load.line(x, *ends)[0].magnitude()));
     let distributed = distributed.fold(0.0, f64::max);
-    let points: Vec<(f64, f64)> = load.points.iter().map(|p| (p.0, p.1.magnitude())).collect();
+    let mut points: Vec<(f64, f64)> = load.points.iter().map(|p| (p.0, p.1.magnitude())).collect();
+    let off = |[k, _]: [Interval; 2]| (number(2) * Interval::exact(pair.gap) * k).sqrt().hi();
+    points.extend(enclosed.said.iter().map(|said| (said.x, said.gives.spring.map_or(0.0, off))));
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
     let changes = |w: f64| slope + within(&points, 8.0 * w);
     let mut places: Vec<f64> = supports.iter().map(|s| s.x).chain([length]).collect();
     places.dedup();
@@ -106,7 +109,8 @@ fn error(enclosed: &EnclosedScene<'_>, pair: &Pair, pieces: &[([f64; 2], Polynom
     let energy = 5.0 * pair.gap * stiffness;
     let best = libm::cbrt(energy / (4.0 * changes(0.0) * changes(0.0)));
     let w = if best < most { best } else { most };
-    let jump = within(&jumps, 8.0 * w);
+    let turned = enclosed.said.iter().filter_map(|said| said.gives.turning).map(off).sum::<f64>();
+    let jump = within(&jumps, 8.0 * w) + 2.0 * turned;
     let error = changes(w) * w + 0.5 * distributed * w * w + 1.5 * jump + (energy / w).sqrt();
     (error.is_finite() && 0.0 < w).then_some((error * OUTWARDS, 0.0 < beside))
 }
@@ -130,7 +134,7 @@ fn within(places: &[(f64, f64)], width: f64) -> f64 {
 
 /// How far beside a support the moment there is known from above: zero where it is not.
 fn known_beside(enclosed: &EnclosedScene<'_>, pair: &Pair, k: usize) -> f64 {
-    let EnclosedSupport { x, slope, .. } = enclosed.supports[k];
+    let EnclosedSupport { x, .. } = enclosed.supports[k];
     let supports = enclosed.supports;
     let before = k.checked_sub(1).map_or(0.0, |k| supports[k].x);
     let ends = [before, supports.get(k + 1).map_or(enclosed.length, |support| support.x)];
@@ -140,12 +144,12 @@ fn known_beside(enclosed: &EnclosedScene<'_>, pair: &Pair, k: usize) -> f64 {
         }
         (clear_from(enclosed, pair, x, ends[side]) - x).abs()
     };
-    match (slope, ends.map(|end| (end - x).abs() <= 0.0)) {
-        (None, [true, _] | [_, true]) => f64::INFINITY,
-        (None, _) => known(0).max(known(1)),
-        (Some(_), [true, _]) => known(1),
-        (Some(_), [_, true]) => known(0),
-        (Some(_), _) => known(0).min(known(1)),
+    match (enclosed.supports[k].holds_slope(), ends.map(|end| (end - x).abs() <= 0.0)) {
+        (false, [true, _] | [_, true]) => f64::INFINITY,
+        (false, _) => known(0).max(known(1)),
+        (true, [true, _]) => known(1),
+        (true, [_, true]) => known(0),
+        (true, _) => known(0).min(known(1)),
     }
 }
 

@@ -22,6 +22,7 @@ use super::beside::{bends_away, lies_beside, lies_idle, opens};
 use super::kernel::contact_node::EnclosedScene;
 use super::kernel::distance::{factor, lines, on_part};
 use super::kernel::foundation::inside;
+use super::kernel::giving::SaidSpring;
 use super::kernel::interval::Interval;
 use super::kernel::polynomial::{Polynomial, number};
 use super::kernel::proof::{Pair, Piece};
@@ -62,7 +63,7 @@ pub(super) fn forces(
 /// |R − R*| ≤ √( 2 gap ∫ (EI φ''² + k φ²) dx ),    φ = 1 − 3t² + 2t³ for t = s/w:    12 EI/w³ + 13 k w/35 on each side
 /// ```
 ///
-/// with the greatest `EI` and `k`, for the forces of the pair, least where `w⁴ = 36·35 EI / 13 k`. Where statics alone give the forces of the supports, `φ` is a line, with
+/// (and `k_s` of a support that gives, whose force is off by no more than `√(2 gap k_s)`), with the greatest `EI` and `k`, for the forces of the pair, least where `w⁴ = 36·35 EI / 13 k`. Where statics alone give the forces of the supports, `φ` is a line, with
 /// `∫ k φ² dx` alone, which is less on soft ground. `R` is one of the reactions of the pair, which enclose what is cut off: each
 /// support takes no more than the share that is added on both sides.
 fn on_springs(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Interval> {
@@ -72,15 +73,18 @@ fn on_springs(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Interval> {
         let w = Interval::exact(width);
         number(12) * stiffness / (w * w * w) + number(13) * k * w / number(35)
     };
+    let all = enclosed.all_supports();
     let bracket = |(i, force): (usize, Interval)| {
-        let x = enclosed.supports[i].x;
-        let before = i.checked_sub(1).map_or(x, |i| Interval::length(enclosed.supports[i].x, x).lo());
+        let x = all[i];
+        let before = i.checked_sub(1).map_or(x, |i| Interval::length(all[i], x).lo());
         let end = Interval::length(x, enclosed.length).lo();
-        let after = enclosed.supports.get(i + 1).map_or(end, |next| Interval::length(x, next.x).lo());
+        let after = all.get(i + 1).map_or(end, |next| Interval::length(x, *next).lo());
         // At an end of the beam there is one side.
         let sides = [before, after].into_iter().filter(|room| 0.0 < *room).map(|room| side(room.min(widest)));
         let bent = sides.fold(Interval::ZERO, |sum, side| sum + side);
-        let size = straight(enclosed, i).map(|square| k * square).filter(|size| size.hi() < bent.hi()).unwrap_or(bent);
+        let gives = enclosed.said_at(x).and_then(|said| said.gives.spring).map(|[k, _]| k);
+        let others = gives.or_else(|| straight(enclosed, i).map(|square| k * square));
+        let size = others.filter(|size| size.hi() < bent.hi()).unwrap_or(bent);
         force + Interval::around_zero((number(2) * Interval::exact(pair.gap) * size).sqrt().hi())
     };
     supports_of(enclosed, pair).into_iter().enumerate().map(bracket).collect()
@@ -89,22 +93,37 @@ fn on_springs(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Interval> {
 /// The forces of all supports in the pair; those that only push and that it does not touch exert none.
 fn supports_of(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Interval> {
     let at = |x: f64| pair.carried.iter().find(|(place, _)| place.total_cmp(&x).is_eq());
-    enclosed.all_supports().into_iter().map(|x| at(x).map_or(Interval::ZERO, |carried| carried.1)).collect()
+    let force = |x: f64| match enclosed.said_at(x) {
+        Some(said) => Interval::exact(said.force),
+        None => at(x).map_or(Interval::ZERO, |carried| carried.1),
+    };
+    enclosed.all_supports().into_iter().map(force).collect()
 }
 
 impl EnclosedScene<'_> {
     /// Where all supports are, those that only push among them, from left to right.
     pub(super) fn all_supports(&self) -> Vec<f64> {
         let mut all: Vec<f64> = self.supports.iter().map(|s| s.x).collect();
-        all.extend(self.gap.ground.bearings.iter().map(|p| p[0]));
+        all.extend(self.gap.ground.bearings.iter().map(|p| p[0]).chain(self.said.iter().map(|said| said.x)));
         all.sort_by(f64::total_cmp);
         all.dedup();
         all
     }
 
-    /// True where a support stands that only pushes.
+    /// True where a support stands that only pushes, and no spring that is pressed.
     pub(super) fn pushes_at(&self, x: f64) -> bool {
-        !inside(self.gap.ground.bearings, x.next_down(), x.next_up()).is_empty()
+        !inside(self.gap.ground.bearings, x.next_down(), x.next_up()).is_empty() || self.idle_at(x).is_some()
+    }
+
+    /// A support that gives, as a load.
+    fn said_at(&self, x: f64) -> Option<&SaidSpring> {
+        self.said.iter().find(|said| said.x.total_cmp(&x).is_eq())
+    }
+
+    /// The level of a spring that only pushes and is said not to be pressed.
+    fn idle_at(&self, x: f64) -> Option<Interval> {
+        let idle = self.said_at(x).filter(|said| said.gives.pushes && said.force <= 0.0)?;
+        idle.gives.spring.map(|[_, level]| level)
     }
 }
 
@@ -112,6 +131,9 @@ impl EnclosedScene<'_> {
 /// admissible.
 fn straight(enclosed: &EnclosedScene<'_>, i: usize) -> Option<Interval> {
     let length = Interval::exact(enclosed.length);
+    if !enclosed.said.is_empty() || enclosed.supports.iter().any(|support| support.gives.is_some()) {
+        return None;
+    }
     match enclosed.supports {
         [_] => Some(length),
         [a, b] if a.slope.is_none() && b.slope.is_none() => {
@@ -129,7 +151,7 @@ fn by_statics(scene: &Scene, load: &Load, enclosed: &EnclosedScene<'_>, pair: &P
     let (all, factor) = (enclosed.all_supports(), factor(pair.gap, enclosed.stiffness));
     let is_free = scene.foundation().is_none()
         && pair.turns_about.is_none()
-        && enclosed.supports.iter().all(|support| support.slope.is_none());
+        && enclosed.supports.iter().all(|support| !support.holds_slope());
     let touches = |x: &f64| !enclosed.pushes_at(*x) || !is_clear_of(enclosed, pair, factor, *x);
     let touched: Vec<f64> = all.iter().copied().filter(|x| is_free && touches(x)).collect();
     let [a, b] = touched[..] else { return None };
@@ -172,7 +194,7 @@ fn supports(enclosed: &EnclosedScene<'_>, pair: &Pair, load: Interval) -> Vec<Op
             [(before, 0), (after, 1)].map(|(next, side)| next.is_none() && (ends[side] - reached[side]).abs() <= 0.0);
         let mut turns = Interval::ZERO;
         for side in [0, 1] {
-            let share = if given[1 - side] && enclosed.support(x).is_none_or(|s| s.slope.is_none()) { 6 } else { 24 };
+            let share = if given[1 - side] && enclosed.support(x).is_none_or(|s| !s.holds_slope()) { 6 } else { 24 };
             let c = Interval::exact(least_magnitude(clear[side]));
             let turn = number(share) * Interval::exact(enclosed.stiffest) * Interval::exact(pair.gap) / (c * c * c);
             match (given[side] || lies_beside(enclosed, pair, x, side), c.lo() <= 0.0) {
@@ -184,7 +206,27 @@ fn supports(enclosed: &EnclosedScene<'_>, pair: &Pair, load: Interval) -> Vec<Op
         let force = force + Interval::around_zero(turns.hi());
         Some(if enclosed.pushes_at(x) { force.not_negative() } else { force })
     };
-    supports_of(enclosed, pair).into_iter().enumerate().map(bracket).collect()
+    // A spring says its force by itself, too.
+    let sprung = |(k, force): (usize, Interval)| {
+        let own = own_bracket(enclosed, pair, all[k], force);
+        let known = if enclosed.said_at(all[k]).is_some_and(|said| said.force.abs() > 0.0) {
+            None
+        } else {
+            bracket((k, force))
+        };
+        let width = |of: &Interval| of.hi() - of.lo();
+        known.into_iter().chain(own).min_by(|a, b| width(a).total_cmp(&width(b)))
+    };
+    supports_of(enclosed, pair).into_iter().enumerate().map(sprung).collect()
+}
+
+/// What the force of a spring lies between by its own share in the gap, `(R − R*)²/2k`; [`None`] of what does not give.
+fn own_bracket(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, force: Interval) -> Option<Interval> {
+    let of_support = || enclosed.support(x).and_then(|support| support.gives);
+    let gives = enclosed.said_at(x).map(|said| said.gives).or_else(of_support)?;
+    let [k, _] = gives.spring?;
+    let bracket = force + Interval::around_zero((number(2) * Interval::exact(pair.gap) * k).sqrt().hi());
+    Some(if gives.pushes { bracket.positive_part() } else { bracket })
 }
 
 /// Whether the beam is proven to be clear of the support that only pushes at a place.
@@ -199,7 +241,11 @@ pub(super) fn piece_at(pair: &Pair, x: f64) -> &Piece {
 
 /// How far a piece is clear of what is below it at a place.
 fn clear_of(enclosed: &EnclosedScene<'_>, piece: &Piece, x: f64) -> Interval {
-    enclosed.gap.depth(x) - piece.v.at(Interval::length(piece.from, x))
+    let v = piece.v.at(Interval::length(piece.from, x));
+    let clear = enclosed.gap.depth(x) - v;
+    enclosed
+        .idle_at(x)
+        .map_or(clear, |level| Interval::between((level - v).lo().min(clear.lo()), (level - v).hi().min(clear.hi())))
 }
 
 /// A part of the beam beside a support, seen from there: the clearance of `v̂` from its nearer end on.

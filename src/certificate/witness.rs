@@ -17,6 +17,7 @@
 
 use super::kernel::contact_node::{ContactNode, EnclosedScene, EnclosedSupport, Slope};
 use super::kernel::gap::EnclosedGap;
+use super::kernel::giving::Giving;
 use super::kernel::interval::Interval;
 use super::kernel::proof::{Pair, Piece};
 use crate::scene::Scale;
@@ -40,12 +41,12 @@ pub(super) fn nodes(
         // Zones that share an end are one zone, and the end of a zone is no other contact.
         if in_zone && nodes.last().is_some_and(|node| node.x == from) {
             nodes.pop();
-            nodes.push(ContactNode::on_ground(to, true));
+            nodes.push(enclosed.end_of_zone(to));
             continue;
         }
         in_zone = from != to;
         if in_zone {
-            nodes.extend([ContactNode::start(from), ContactNode::on_ground(to, true)]);
+            nodes.extend([ContactNode::start(from), enclosed.end_of_zone(to)]);
         } else if enclosed.support(from).is_some() {
             // A point of contact at a support is the support.
         } else if from == 0.0 || from == enclosed.length || enclosed.is_edge(from) {
@@ -99,6 +100,11 @@ pub(super) fn with_touched(
 }
 
 impl EnclosedScene<'_> {
+    /// Where a zone ends: in a hinge the beam turns.
+    fn end_of_zone(&self, x: f64) -> ContactNode {
+        if self.is_hinge(x) { ContactNode::free(x) } else { ContactNode::on_ground(x, true) }
+    }
+
     /// Whether the beam may rest on a place and turn there: on a corner of the gap, or with a joint.
     fn is_edge(&self, x: f64) -> bool {
         self.gap.is_corner(x) || self.joints.iter().any(|joint| joint.0.total_cmp(&x).is_eq())
@@ -263,6 +269,12 @@ fn changes(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Option<Vec<f6
     }
     for (row, node) in rows.iter_mut().zip(nodes).zip(&is_hinge).filter(|(_, hinge)| **hinge).map(|(both, _)| both) {
         row[3] += enclosed.load.couple(node.x).middle() / enclosed.unit();
+        let gives = enclosed.support(node.x).and_then(|support| support.gives);
+        if let Some(Giving { turning: Some([k, without]), .. }) = gives {
+            let (k, [_, slope]) = (k.middle() / enclosed.unit(), enclosed.end(node));
+            row[1] += k;
+            row[3] -= k * (slope - without).middle();
+        }
     }
     tridiagonal(rows)
 }

@@ -133,11 +133,14 @@ impl Balance {
     ///
     /// [`Unheld`] if nothing balances the loads.
     pub(super) fn of(scene: &Scene) -> Result<Self, Unheld> {
-        if scene.foundation().is_none() && pushing(scene).next().is_none() && scene.beam().is_mechanism() {
-            let is_held = scene.beam().is_held();
-            return if is_held { Err(Unheld::Mechanism) } else { Self::of_supports(scene) };
+        // Without ground, not even with supports that only push as supports that hold.
+        let beam = scene.beam();
+        let hinged = beam.joints().iter().any(|joint| joint.stiffness.is_none());
+        let moves = || beam.is_mechanism(beam.holding().chain(pushing(scene)));
+        match scene.foundation() {
+            None if hinged && moves() => Self::of_supports(scene).and(Err(Unheld::Mechanism)),
+            _ => Self::of_supports(scene),
         }
-        Self::of_supports(scene)
     }
 
     /// The same but for hinges.

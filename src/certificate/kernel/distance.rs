@@ -37,7 +37,8 @@ pub(crate) fn on_part(pair: &Pair, factor: f64, part: [f64; 2]) -> f64 {
 /// The same anywhere: for a beam on two supports at its ends `l²/4 · √(2 gap / (3 EI l))`.
 pub(crate) fn anywhere(pair: &Pair, stiffness: f64, length: f64) -> f64 {
     let factor = factor(pair.gap, stiffness);
-    let places = pair.lines.iter().chain(&pair.zones).flat_map(|Line(a, b)| [a.from, a.to, b.from, b.to]).collect();
+    let places = |Line(a, b): &Line| [a.from, a.to, b.from, b.to, a.reach[0], a.reach[1]];
+    let places = pair.lines.iter().chain(&pair.zones).flat_map(places).collect();
     cells(0.0, length, places).into_iter().map(|part| on_part(pair, factor, part)).fold(0.0, f64::max)
 }
 

@@ -10,7 +10,8 @@
 //! ```
 //!
 //! To prove are `g − v̂ ≥ 0` in spans, `q − EI g'''' ≥ 0` in zones, in which no couple acts, and at nodes without a support the
-//! concentrated forces `M'(x+) − M'(x−) + P ≥ 0`, with a point load `P` that stands there, and `M(x+) = M(x−) + C` with a couple `C`.
+//! concentrated forces `M'(x+) − M'(x−) + P ≥ 0`, with a point load `P` that stands there, `M(x+) = M(x−) + C` with a couple `C`, and in
+//! hinges `M = 0`.
 //!
 //! Where one of them fails, the pair is corrected until it holds: a span is lifted by `α φ` (module `clearance`), which is zero
 //! wherever the beam is pressed, and what pulls, `p⁻`, is cut off, which changes `M` by the moments of `p⁻` on the beam on two
@@ -25,7 +26,8 @@
 //! one place carries the beam, the ground beside it stops the beam from turning (`stops`), and takes couples.
 
 use super::clearance;
-use super::contact_node::{ContactNode, EnclosedScene, Slope};
+use super::contact_node::{ContactNode, EnclosedScene, EnclosedSupport, Slope};
+use super::giving;
 use super::held::{carriers, held_by};
 use super::interval::Interval;
 use super::polynomial::{Polynomial, number};
@@ -64,7 +66,7 @@ pub(crate) struct Pair {
     pub(crate) lifted: f64,
     /// What an elastic foundation adds; [`None`] on a rigid one.
     pub(crate) ground: Option<Sprung>,
-    /// `½Σ k [v̂']²` of joints.
+    /// What joints and springs take up, `½Σ k [v̂']²` and so on, less the work of springs that are loads.
     pub(crate) turned: Interval,
     /// [`EnclosedScene::soft`].
     pub(crate) soft: f64,
@@ -107,6 +109,7 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
         let moments = [beside(i.wrapping_sub(1), 1, first), beside(i, 0, last)];
         shears[i] = span.shears(moments);
         gap = gap + span.work(enclosed, moments);
+        span.hinges(moments).for_each(|(x, moment)| cut_off.hinge(x, moment));
         for (x, kink) in span.kinks() {
             let k = enclosed.joints.iter().find(|joint| joint.0.total_cmp(x).is_eq()).map_or(0.0, |joint| joint.1);
             turned = turned + kink.square() * Interval::exact(0.5 * k);
@@ -128,21 +131,39 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
         let force = shears[i + 1][0] - shears[i][1] + enclosed.load.point(node.x);
         forces.push(force);
         let support = enclosed.support(node.x);
-        if support.is_none() {
+        if enclosed.is_hinge(node.x) && spans[i].is_none() {
+            cut_off.hinge(node.x, moments[i].0[0]);
+        }
+        let pushes = support.is_none_or(EnclosedSupport::pushes);
+        if pushes {
             cut_off.force(node.x, force);
+        }
+        let mut jump = jump;
+        if let Some(gives) = support.and_then(|support| support.gives) {
+            let (state, force) = (enclosed.end(node), if pushes { force.positive_part() } else { force });
+            // Where the ground holds the slope it takes what a spring against turning does not.
+            let follows = matches!(node.slope, Slope::OfGround { .. });
+            let own = if follows { gives.jump(state[1]) } else { jump };
+            gap = gap + gives.misfit([force, own], state);
+            turned = turned + gives.energy(state);
+            jump = if follows { jump - own } else { jump };
         }
         // Loads in balance need no couple, and what the beam is built in exerts any.
         if turns_about.is_none() {
-            let made = |left: bool| support.is_some_and(|s| s.slope.is_some() || enclosed.order(node, left) == 2);
+            let any =
+                support.is_some_and(|s| s.slope.is_some() || s.holds_slope() && matches!(node.slope, Slope::Free(_)));
+            let made = |left: bool| any || support.is_some() && enclosed.order(node, left) == 2;
             cut_off.couple(node.x, jump, [true, false].map(made));
         }
     }
-    let gap_of = |carried, off| corrected(gap, lifts, carried, off);
+    let [more, energy] = giving::of_loads(enclosed, &pieces);
+    let gap_of = |carried, off| (Interval::exact(corrected(gap, lifts, carried, off)) + more).hi();
     let carriers = carriers(enclosed, nodes, &forces);
     let (gap, share, lines) = held_by(enclosed, turns_about, carriers, &pieces, &cut_off, gap_of)?;
     let corrected = Interval::around_zero(share.hi());
     let carried = nodes.iter().zip(forces).map(|(node, force)| (node.x, force + corrected)).collect();
     let (zones, ground, soft) = (Vec::new(), None, enclosed.soft());
+    let turned = turned + energy;
     Some(Pair { pieces, gap, carried, lines, zones, turns_about, lifted, ground, turned, soft })
 }
 
@@ -164,7 +185,9 @@ fn is_complete(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> bool {
         let [left, right] = [true, false].map(|left| enclosed.order(node, left) == 2);
         let built_in = enclosed.support(node.x).is_some_and(|s| s.slope.is_some());
         let follows = !built_in && matches!(node.slope, Slope::OfGround { .. });
-        (!follows || left || right) && (i == 0 || !nodes[i - 1].lies || left) && (!node.lies || right)
+        // A zone ends in a hinge with any slope beyond.
+        let ends = left || enclosed.is_hinge(node.x) && enclosed.support(node.x).is_none();
+        (!follows || left || right) && (i == 0 || !nodes[i - 1].lies || ends) && (!node.lies || right)
     });
     in_order && inside && supports == enclosed.supports.len() && meet
 }
@@ -191,7 +214,7 @@ fn moments(
     });
     let couple = enclosed.load.couple(node.x);
     let held =
-        enclosed.support(node.x).is_some_and(|s| s.slope.is_some() || matches!(node.slope, Slope::OfGround { .. }));
+        enclosed.support(node.x).is_some_and(|s| s.holds_slope() || matches!(node.slope, Slope::OfGround { .. }));
     if held || given == [true; 2] {
         return (own, own[1] - own[0] - couple);
     }

@@ -159,16 +159,20 @@ impl Span {
         // At a free end the moments of what acts there, and at the other one those of all that acts beyond it.
         let tips = [(from, -number(1)), (to, number(1))]
             .map(|(tip, sign)| (load.point(tip) * length, load.couple(tip) * sign));
+        let mut hinges = Vec::new();
         let moments = match ends {
             [Some(left), Some(right)] => {
                 let straight = right[0] - left[0] - left[1] * length;
                 let chord = rise.map_or(straight, |rise| rise.meet(straight)) / length;
-                flexible.moments([-chord, right[1] - left[1] - chord])
+                let slopes = [-chord, right[1] - left[1] - chord];
+                hinges = flexible.kinks_of_hinges(slopes);
+                flexible.moments(slopes)
             }
             [_, None] => [-(a + tips[1].0 + tips[1].1), -tips[1].1],
             [None, _] => [-tips[0].1, -(b + tips[0].0 + tips[0].1)],
         };
-        let kinks = flexible.kinks(moments);
+        let mut kinks = flexible.kinks(moments);
+        kinks.extend(hinges);
         let turns = flexible.turns(moments);
         // Both ends from the one that is known, and slopes that the load makes from the straight line.
         let [left, right] = match ends {
@@ -205,6 +209,11 @@ impl Span {
     /// By how much its slope jumps in joints, with the place of each.
     pub(crate) fn kinks(&self) -> &[(f64, Interval)] {
         &self.kinks
+    }
+
+    /// What moment there is in its hinges for those at both ends, with the place of each.
+    pub(crate) fn hinges(&self, moments: [Interval; 2]) -> impl Iterator<Item = (f64, Interval)> + '_ {
+        self.flexible.iter().flat_map(move |flexible| flexible.in_hinges(moments))
     }
 
     /// `V` at its two ends from the moments there: not from the third derivative, of which rounding is larger by the square of a

@@ -1,5 +1,6 @@
 //! Where a beam is carried, and which of these places hold it.
 
+use super::super::lines::widest;
 use super::*;
 use crate::certificate::in_intervals;
 use crate::certificate::kernel::contact_node::tests::{Kind, node};
@@ -38,7 +39,7 @@ fn outer_thirds_press_with_what_lies_on_them() {
 /// Of places that press those two hold a beam that are strong and far apart; parts that overlap do not.
 #[test]
 fn the_widest_of_the_strongest_places_hold() {
-    let part = |from: f64, to: f64, presses: f64| Datum { from, to, presses, uncertainty: 0.0 };
+    let part = |from: f64, to: f64, presses: f64| Datum { to, presses, ..Datum::at(from) };
     // Distance by the weaker force: (9 − 1) · 1 for the first two, (4 − 3) · 9 for the others.
     let mut presses = vec![part(0.0, 1.0, 1.0), part(9.0, 9.0, 1.0), part(4.0, 4.0, 9.0), part(0.5, 3.0, 9.0)];
     let held = |presses: &mut [Datum], left: f64, right: f64| {
