@@ -56,6 +56,9 @@ pub(super) fn of_scene(
     let is_held = scene.beam().is_held();
     let mut brackets = known.reactions.iter();
     let mut bracket = |support: &Support| {
+        if support.stiffness.is_some() {
+            return brackets.next().copied();
+        }
         if enclosed.support(support.at).is_none() {
             return clears(enclosed, pair, support).then_some(Some([0.0; 2]));
         }

@@ -149,13 +149,27 @@ impl Proof {
     ///
     /// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled.
     pub fn of_stretches(scene: &Scene, witness: &[Stretch]) -> Result<Self, SceneError> {
+        Self::of_stretches_on(scene, witness, &[])
+    }
+
+    /// The same with the forces of the supports that give, from left to right, and by how much each makes the moment jump.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Proof::of_stretches`].
+    pub(crate) fn of_stretches_on(
+        scene: &Scene,
+        witness: &[Stretch],
+        springs: &[[f64; 2]],
+    ) -> Result<Self, SceneError> {
         let scaled = scene.scaled()?;
-        if scene.is_firm("").is_err() {
-            let known = Certificate::unknown(scaled.scene.beam().all_supports().len());
-            return Ok(Self { scaled, pair: None, known });
-        }
         let held = bearings::held(&scaled.scene, witness)?;
-        let proven = in_intervals(&held, scaled.balance, |enclosed| {
+        let said = |i: usize| {
+            let [force, couple] = springs.get(i).copied().unwrap_or_default();
+            (true, [force / scaled.scale.force, couple / scaled.scale.moment()])
+        };
+        let said: Vec<_> = (0..held.beam().springs().len()).map(said).collect();
+        let proven = with_springs(&held, scaled.balance, &said, |enclosed| {
             let cut = stretches::cut(enclosed, witness);
             let (pair, known) = of_pair(enclosed, &scaled, kernel::springs::pair(enclosed, &cut));
             let known = bearings::of_scene(&scaled.scene, enclosed, &pair.as_ref()?.0, &known)?;

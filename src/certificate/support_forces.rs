@@ -65,7 +65,7 @@ pub(super) fn forces(
 /// |R − R*| ≤ √( 2 gap ∫ (EI φ''² + k φ²) dx ),    φ = 1 − 3t² + 2t³ for t = s/w:    12 EI/w³ + 13 k w/35 on each side
 /// ```
 ///
-/// with the greatest `EI` and `k`, for the forces of the pair, least where `w⁴ = 36·35 EI / 13 k`. Where statics alone give the forces of the supports, `φ` is a line, with
+/// (and `k_s` of a support that gives, whose force is off by no more than `√(2 gap k_s)`), with the greatest `EI` and `k`, for the forces of the pair, least where `w⁴ = 36·35 EI / 13 k`. Where statics alone give the forces of the supports, `φ` is a line, with
 /// `∫ k φ² dx` alone, which is less on soft ground. `R` is one of the reactions of the pair, which enclose what is cut off: each
 /// support takes no more than the share that is added on both sides.
 fn on_springs(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Interval> {
@@ -75,15 +75,18 @@ fn on_springs(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Interval> {
         let w = Interval::exact(width);
         number(12) * stiffness / (w * w * w) + number(13) * k * w / number(35)
     };
+    let all = enclosed.all_supports();
     let bracket = |(i, force): (usize, Interval)| {
-        let x = enclosed.supports[i].x;
-        let before = i.checked_sub(1).map_or(x, |i| Interval::length(enclosed.supports[i].x, x).lo());
+        let x = all[i];
+        let before = i.checked_sub(1).map_or(x, |i| Interval::length(all[i], x).lo());
         let end = Interval::length(x, enclosed.length).lo();
-        let after = enclosed.supports.get(i + 1).map_or(end, |next| Interval::length(x, next.x).lo());
+        let after = all.get(i + 1).map_or(end, |next| Interval::length(x, *next).lo());
         // At an end of the beam there is one side.
         let sides = [before, after].into_iter().filter(|room| 0.0 < *room).map(|room| side(room.min(widest)));
         let bent = sides.fold(Interval::ZERO, |sum, side| sum + side);
-        let size = straight(enclosed, i).map(|square| k * square).filter(|size| size.hi() < bent.hi()).unwrap_or(bent);
+        let gives = enclosed.said_at(x).and_then(|said| said.gives.spring).map(|[k, _]| k);
+        let others = gives.or_else(|| straight(enclosed, i).map(|square| k * square));
+        let size = others.filter(|size| size.hi() < bent.hi()).unwrap_or(bent);
         force + Interval::around_zero((number(2) * Interval::exact(pair.gap) * size).sqrt().hi())
     };
     supports_of(enclosed, pair).into_iter().enumerate().map(bracket).collect()
@@ -130,6 +133,9 @@ impl EnclosedScene<'_> {
 /// admissible.
 fn straight(enclosed: &EnclosedScene<'_>, i: usize) -> Option<Interval> {
     let length = Interval::exact(enclosed.length);
+    if !enclosed.said.is_empty() || enclosed.supports.iter().any(|support| support.gives.is_some()) {
+        return None;
+    }
     match enclosed.supports {
         [_] => Some(length),
         [a, b] if a.slope.is_none() && b.slope.is_none() => {

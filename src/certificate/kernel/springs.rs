@@ -7,7 +7,8 @@
 //! ½∫ EI (v̂'' − v*'')² + ½∫ k (w₊ − w*₊)² ≤ gap
 //! ```
 //!
-//! and in a joint `½ (k_j [v̂'] + M)²/k_j` more. `EI` and `k` are one number on a stretch; where `k = 0` nothing presses, and `v̂` is free.
+//! and in a joint `½ (k_j [v̂'] + M)²/k_j` more. Supports that give are loads that are said (`giving`), and so are couples of springs against
+//! turning; a hinge has no moment. `EI` and `k` are one number on a stretch; where `k = 0` nothing presses, and `v̂` is free.
 //!
 //! Between pressed parts the beam hangs as on rigid ground. On one, with the polynomial `t` that is given, and cubics `δ` and `r` by
 //! which `v̂` and `M` are what they are at its two ends,
@@ -28,6 +29,7 @@ mod walks;
 use self::groups::uncertainty;
 use self::walks::{Reached, Walk};
 use super::contact_node::EnclosedScene;
+use super::giving;
 use super::interval::Interval;
 use super::lines::lines;
 use super::polynomial::{Polynomial, TERMS, number};
@@ -63,7 +65,7 @@ struct OnSprings<'a> {
     sheared: Vec<Option<[Interval; 2]>>,
 }
 
-/// A pressed part, its least penetration, what a share of its pressure costs, that share of `√(∫p²/k)`, and `∫ k`.
+/// A pressed part or a support that gives, its least penetration, what a share of its pressure costs, that share of `√(∫p²/k)`, and `∫ k`.
 struct Carrier {
     place: Datum,
     sunk: f64,
@@ -219,7 +221,7 @@ impl OnSprings<'_> {
         if self.enclosed.joint(self.x(node)) == Some(0.0) {
             return [Interval::ZERO; 2];
         }
-        let left = match self.enclosed.support(self.x(node)).and_then(|s| s.slope) {
+        let left = match self.enclosed.support(self.x(node)).filter(|s| s.holds_slope()) {
             Some(_) => return [true, false].map(own),
             None if node == 0 => Interval::ZERO,
             None if node == spans.len() => -couple,
@@ -249,6 +251,7 @@ impl OnSprings<'_> {
     /// Adds a part that hangs, with the moments at its two ends: by how far it is off its moments, and below the ground.
     fn hang(&self, i: usize, span: &Span, moments: [Interval; 2], sums: &mut Sums) {
         sums.square = sums.square + number(2) * span.work(self.enclosed, moments);
+        span.hinges(moments).for_each(|(x, moment)| sums.cut_off.hinge(x, moment));
         for &(x, kink) in span.kinks() {
             let k = Interval::exact(self.enclosed.joint(x).unwrap_or(0.0));
             sums.turned = sums.turned + k * kink.square();
@@ -333,6 +336,33 @@ impl OnSprings<'_> {
         }
     }
 
+    /// Adds supports that give: those that are loads, and springs against turning at supports that hold the level.
+    fn give(&self, moments: &[[Interval; 2]], sums: &mut Sums) -> Option<()> {
+        let [gap, energy] = giving::of_loads(self.enclosed, &sums.pieces);
+        (sums.square, sums.turned) = (sums.square + number(2) * gap, sums.turned + number(2) * energy);
+        for (node, [left, right]) in moments.iter().enumerate() {
+            let x = self.x(node);
+            let Some(gives) = self.enclosed.support(x).and_then(|support| support.gives) else { continue };
+            let (state, jump) = (self.end(node)?, *right - *left - self.enclosed.load.couple(x));
+            sums.square = sums.square + number(2) * gives.misfit([Interval::ZERO, jump], state);
+            sums.turned = sums.turned + number(2) * gives.energy(state);
+        }
+        for said in self.enclosed.said {
+            let Some([k, level]) = said.gives.spring else { continue };
+            let piece = sums.pieces.iter().find(|piece| piece.from <= said.x && said.x <= piece.to)?;
+            let sunk = (piece.v.at(Interval::length(piece.from, said.x)) - level).lo();
+            sums.carriers.push(Carrier {
+                place: Datum { presses: said.force.abs(), ..Datum::at(said.x) },
+                sunk: if said.gives.pushes { sunk } else { f64::INFINITY },
+                cost: number(1) / k.sqrt(),
+                stiffness: k,
+                length: 0.0,
+            });
+        }
+        sums.carriers.sort_by(|a, b| a.place.from.total_cmp(&b.place.from));
+        Some(())
+    }
+
     /// The gap, at least the share of what is cut off that one place takes, and what holds the beam: its supports, or pressed parts.
     fn held(&self, sums: &Sums) -> Option<(f64, Interval, Vec<Line>)> {
         let enclosed = self.enclosed;
@@ -341,14 +371,20 @@ impl OnSprings<'_> {
         let fixed = enclosed.supports.iter().filter(|s| s.slope.is_some()).map(|s| s.x);
         let lines = lines(enclosed, fixed, &mut places);
         let [moment, share] = sums.cut_off.carried(&lines, enclosed.stiffness, enclosed.soft());
-        let carrier = |at: &Datum| sums.carriers.iter().find(|c| at.presses.is_finite() && at.from <= c.place.from);
+        let same = |a: f64, b: f64| a.total_cmp(&b).is_eq();
+        let carrier = |at: &Datum| {
+            let first = sums.carriers.partition_point(|c| c.place.from < at.from);
+            let here = sums.carriers[first..].iter().take_while(|c| same(c.place.from, at.from));
+            here.filter(|_| at.presses.is_finite()).find(|c| same(c.place.to, at.to))
+        };
         let cost = |place: &Datum| carrier(place).map_or(Interval::ZERO, |carrier| share * carrier.cost);
         let changed = lines.iter().fold(Interval::ZERO, |sum, Line(a, b)| sum + cost(a) + cost(b));
         let gap = ((sums.square.sqrt() + moment + sums.pull.sqrt() + changed).square() / number(2)).hi();
         let known = |place: &Datum| {
             let Some(Carrier { sunk, stiffness, .. }) = carrier(place) else { return Some(*place) };
             let off = uncertainty(gap, *stiffness);
-            (off < *sunk && share.hi() < place.presses).then_some(Datum { uncertainty: off, ..*place })
+            let carries = share.hi() < place.presses || sunk.is_infinite();
+            (off < *sunk && carries).then_some(Datum { uncertainty: off, ..*place })
         };
         let lines = lines.iter().map(|Line(left, right)| Some(Line(known(left)?, known(right)?)));
         let lines = lines.collect::<Option<Vec<_>>>().filter(|lines| !lines.is_empty())?;
@@ -377,6 +413,7 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, stretches: &[Stretch]) -> Optio
         }
     }
     on.turn(&moments, &mut sums);
+    on.give(&moments, &mut sums)?;
     let (gap, share, lines) = on.held(&sums)?;
     let force = |&node: &usize| shears[node][1] - shears[node][0] + enclosed.load.point(on.x(node));
     let carried = nodes.iter().map(|node| (on.x(*node), force(node) + Interval::around_zero(share.hi()))).collect();

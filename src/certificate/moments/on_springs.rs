@@ -23,6 +23,8 @@
 //! - The influence line of a beam on two simple supports `b` apart and no others, with overhangs `a` and `c`; `φ'` jumps by −1 at `x`, `φ` vanishes
 //!   at both supports: `S ≤ k (b³/48 + (a³ + c³)/3)`.
 //!
+//! A support that gives is a support here: where one stands both fields may differ by another force and another couple.
+//!
 //! On both sides of a couple `m` is the same.
 
 use crate::certificate::kernel::contact_node::EnclosedScene;
@@ -34,7 +36,9 @@ use crate::certificate::largest::extremes;
 /// Bounds of the greatest and of the least moment; [`None`] where nothing could be shown.
 pub(super) fn moments(enclosed: &EnclosedScene<'_>, sprung: &Sprung, gap: f64) -> [Option<Interval>; 2] {
     let mut places: Vec<f64> = [0.0].into_iter().chain(enclosed.supports.iter().map(|s| s.x)).collect();
+    places.extend(enclosed.said.iter().map(|said| said.x));
     places.push(enclosed.length);
+    places.sort_by(f64::total_cmp);
     places.dedup();
     let begins_before = |x: f64| sprung.moments.partition_point(|(ends, _)| ends[0] < x);
     let brackets = places.windows(2).map(|bay| {
@@ -54,7 +58,9 @@ fn size(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2]) -> Interval {
     let [k, stiffness] = [enclosed.stiffest_ground(), enclosed.stiffest].map(Interval::exact);
     let (length, supports) = (enclosed.length, enclosed.supports);
     let width = Interval::length(from, to);
-    let is_free = [from, to].map(|x| enclosed.support(x).is_none());
+    let stands =
+        |x: f64| enclosed.support(x).is_some() || enclosed.said.iter().any(|said| said.x.total_cmp(&x).is_eq());
+    let is_free = [from, to].map(|x| !stands(x));
     let best = (number(10) * stiffness / k).sqrt().sqrt();
     let room = if is_free == [false; 2] { best.lo().min((width / number(4)).lo()) } else { best.lo() };
     let w = Interval::exact(room);
@@ -63,7 +69,7 @@ fn size(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2]) -> Interval {
     let straight = match (is_free, supports) {
         ([true, true], _) => k * cube(width / number(2)) / number(3),
         ([true, false] | [false, true], _) => k * cube(width) / number(3),
-        (_, [a, b]) if a.slope.is_none() && b.slope.is_none() => {
+        (_, [a, b]) if !a.holds_slope() && !b.holds_slope() && enclosed.said.is_empty() => {
             let overhangs = [Interval::length(0.0, a.x), Interval::length(b.x, length)].map(cube);
             k * (cube(width) / number(48) + (overhangs[0] + overhangs[1]) / number(3))
         }

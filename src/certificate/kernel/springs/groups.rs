@@ -19,16 +19,41 @@ impl OnSprings<'_> {
         let mut groups: Vec<Vec<&Carrier>> = Vec::new();
         for carrier in carriers.iter().filter(|carrier| 0.0 < carrier.sunk) {
             match groups.last_mut() {
-                Some(group) if carrier.place.to - group[0].place.from <= carrier.length => group.push(carrier),
+                Some(group)
+                    if self.is_one([group[0].place.from, carrier.place.to])
+                        && carrier.place.to - group[0].place.from <= carrier.length =>
+                {
+                    group.push(carrier)
+                }
                 _ => groups.push(vec![carrier]),
             }
         }
+        // Beyond a hinge a line says nothing.
+        let within = |place: Datum| {
+            let reach = self.reach([place.from, place.to])?;
+            Some(Datum { reach, ..place })
+        };
         let mut places: Vec<Datum> = groups.into_iter().filter_map(|group| known_in(group, gap)).collect();
         places.extend(self.enclosed.supports.iter().map(|s| Datum::at(s.x)));
+        let mut places: Vec<Datum> = places.into_iter().filter_map(within).collect();
         places.sort_by(|a, b| a.from.total_cmp(&b.from));
         let pairs = (0..places.len()).flat_map(|i| [(i, i + 1), (i, i + 2)]);
         let line = |(i, j): (usize, usize)| Some(Line(*places.get(i)?, *places.get(j)?));
-        pairs.filter_map(line).filter(|Line(a, b)| a.to < b.from).collect()
+        let is_line = |Line(a, b): &Line| a.to < b.from && self.is_one([a.from, b.to]);
+        pairs.filter_map(line).filter(is_line).collect()
+    }
+
+    /// Whether no hinge is strictly between two places.
+    fn is_one(&self, [from, to]: [f64; 2]) -> bool {
+        !self.enclosed.joints.iter().any(|(x, k)| *k <= 0.0 && from < *x && *x < to)
+    }
+
+    /// Between which hinges a part without a hinge in it is; [`None`] just at one.
+    fn reach(&self, [from, to]: [f64; 2]) -> Option<[f64; 2]> {
+        let hinges = || self.enclosed.joints.iter().filter(|joint| joint.1 <= 0.0).map(|joint| joint.0);
+        let before = hinges().filter(|x| *x <= from).fold(f64::NEG_INFINITY, f64::max);
+        let behind = hinges().filter(|x| to <= *x).fold(f64::INFINITY, f64::min);
+        (before < behind).then_some([before, behind])
     }
 }
 

@@ -21,6 +21,7 @@
 //! A cubic has the value `M(w)` at its far end for any `b`, since the mean slope is what it rises by over its width.
 
 use super::OnSprings;
+use crate::certificate::kernel::contact_node::EnclosedSupport;
 use crate::certificate::kernel::interval::Interval;
 use crate::certificate::kernel::polynomial::Polynomial;
 use crate::certificate::kernel::span::Span;
@@ -103,7 +104,8 @@ impl OnSprings<'_> {
 
     /// The same for `M` and `V`, and the moments on both sides of the nodes that are walked to.
     pub(super) fn walk_moments(&mut self, spans: &[Option<Span>], moments: &mut [[Interval; 2]]) -> Vec<Option<Walk>> {
-        let is_built_in = |on: &Self, node: usize| on.enclosed.support(on.x(node)).is_some_and(|s| s.slope.is_some());
+        let is_built_in =
+            |on: &Self, node: usize| on.enclosed.support(on.x(node)).is_some_and(EnclosedSupport::holds_slope);
         let is_known = |node: usize| {
             let is_end = node == 0 || node == spans.len();
             let overhangs = || [true, false].into_iter().any(|left| self.overhanging(spans, node, left).is_some());
