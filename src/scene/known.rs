@@ -77,6 +77,19 @@ impl Scene {
         Ok(())
     }
 
+    /// Whether no support of the beam gives against turning.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::NotKnown`] if one does, naming what asked for it.
+    pub fn turns_freely_or_not(&self, what: &'static str) -> Result<(), SceneError> {
+        let mut all = self.beam.supports().iter().chain(self.beam.springs());
+        match all.any(|support| support.turning_stiffness.is_some()) {
+            true => Err(SceneError::NotKnown { what, feature: "supports that give against turning" }),
+            false => Ok(()),
+        }
+    }
+
     /// Whether contact forces at nodes, without the lengths over which they act, determine the position of the beam: not if supports do
     /// not hold it, on ground that gives way below each force by an amount that depends on that length.
     ///
