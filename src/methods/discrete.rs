@@ -79,7 +79,8 @@ impl Discrete {
 
     fn unmeasured(scene: &Scene, intervals: usize, coarse: bool) -> Result<Self, SceneError> {
         scene.is_grounded_throughout("a method on a grid")?;
-        scene.turns_freely_or_not("a method on a grid")?;
+        scene.has_no_tension("a method on a grid")?;
+        scene.gives_as_known("a method on a grid")?;
         let grid = Grid::uniform(scene, intervals)?;
         let supports = Supports::on(&grid, scene)?;
         let open = scene.foundation().is_none() && !supports.bearings().is_empty();
