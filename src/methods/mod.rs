@@ -22,6 +22,7 @@ mod divisions;
 mod extremes;
 mod force;
 mod held_beam;
+mod overhang;
 mod program;
 mod rigid;
 pub(crate) mod span;
