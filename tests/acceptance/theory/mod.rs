@@ -16,6 +16,7 @@ mod hinges;
 mod level;
 mod long;
 mod near;
+mod opened;
 mod pushing;
 mod random;
 pub(crate) mod settled;
