@@ -120,7 +120,7 @@ fn bent(given: &Scene, places: &Grid, first: usize, forces: Vec<f64>) -> Result<
     let point = |(i, force): (usize, f64)| PointLoad { at: grid.place(i), force };
     let points = grid.nodal_loads(scene.load()).into_iter().enumerate().map(point).collect();
     let load = Load::new(beam, 0.0, Vec::new(), points)?;
-    let lumped = Scene::above(beam.clone(), load, scene.foundation().cloned(), scene.ground_stiffness())?;
+    let lumped = scene.under(load)?;
     // Supports have any force, and what stands on them is none of theirs.
     let pressing = (first..).zip(&forces).filter(|(node, _)| !supports.contains(&Some(*node)));
     let pressing =

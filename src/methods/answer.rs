@@ -278,8 +278,8 @@ fn pressed(discrete: &Discrete, nodal: &Nodal) -> f64 {
 /// The largest pressure of ground that gives.
 fn pressure(discrete: &Discrete, nodal: &Nodal) -> Option<Pressure> {
     let at = |(node, p): (usize, &f64)| {
-        // Of half a spring at an end, and none in a support that only pushes.
-        let share = discrete.give(node) / discrete.give_inside();
+        // Of half a spring at an end, and none in a support that only pushes. Where the stiffness changes that of the stiffer side.
+        let share = discrete.give(node) / discrete.whole_give(discrete.stiffest_beside(node));
         Pressure { max: share * p / discrete.spacing, at: discrete.grid.place(node) }
     };
     let all = discrete.nodes().zip(&nodal.contact_force).map(at);

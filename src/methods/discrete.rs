@@ -37,8 +37,8 @@ pub struct Discrete {
     pub(super) shape: Option<Arc<Foundation>>,
     /// Whether the beam is the paper's.
     simple: bool,
-    /// The stiffness of the ground, if it gives.
-    ground: Option<f64>,
+    /// Parts of the ground of one stiffness each, if it gives.
+    ground: Arc<[([f64; 2], f64)]>,
     sizes: Sizes,
 }
 
@@ -76,6 +76,7 @@ impl Discrete {
 
     fn unmeasured(scene: &Scene, intervals: usize) -> Result<Self, SceneError> {
         scene.is_uniform("a method on a grid")?;
+        scene.is_grounded_throughout("a method on a grid")?;
         scene.is_firm("a method on a grid")?;
         let grid = Grid::uniform(scene, intervals)?;
         let supports = Supports::on(&grid, scene)?;
@@ -91,7 +92,7 @@ impl Discrete {
             profile: scene.shared_foundation(),
             shape: scene.beam().shared_shape(),
             simple: scene.beam().is_simple() && scene.ground_stiffness().is_none(),
-            ground: scene.ground_stiffness(),
+            ground: scene.ground_parts().collect(),
             sizes: Sizes { x: 1.0, gradient: 1.0 },
             loads: grid.nodal_loads(scene.load()),
         })
@@ -101,21 +102,34 @@ impl Discrete {
     #[must_use]
     pub fn give(&self, node: usize) -> f64 {
         match self.supports.bearings() {
-            [] => self.grid.give(self.ground, node),
+            [] => self.grid.give(&self.ground, node, |_| false),
             _ if self.supports.pushing(node).is_some() => 0.0,
-            _ => self.grid.give_beside(self.ground, node, |node| self.supports.is_sunk(node)),
+            _ => self.grid.give(&self.ground, node, |node| self.supports.is_sunk(node)),
         }
     }
 
-    /// The same of the ground below a node inside.
+    /// The least that the ground gives below a node inside.
     pub(super) fn give_inside(&self) -> f64 {
-        self.grid.give(self.ground, 1)
+        let stiffest = self.ground.iter().map(|(_, k)| *k).reduce(f64::max);
+        stiffest.map_or(0.0, |k| self.whole_give(k))
+    }
+
+    /// What ground of this stiffness gives below a node inside.
+    pub(super) fn whole_give(&self, stiffness: f64) -> f64 {
+        1.0 / (stiffness * self.spacing)
+    }
+
+    /// The stiffness of the ground on the stiffer side of a node.
+    pub(super) fn stiffest_beside(&self, node: usize) -> f64 {
+        let x = self.grid.place(node);
+        let beside = self.ground.iter().filter(|(part, _)| part[0] <= x && x <= part[1]);
+        beside.fold(0.0, |most, (_, k)| k.max(most))
     }
 
     /// Whether the ground gives at all.
     #[must_use]
     pub fn gives(&self) -> bool {
-        self.ground.is_some()
+        !self.ground.is_empty()
     }
 
     /// `n`, the number of interior nodes.
@@ -280,7 +294,8 @@ impl Discrete {
 
     /// The same beam on other supports, above ground that is known at the nodes only, and under other loads.
     fn changed(&self, supports: Supports, depths: Vec<f64>, loads: Vec<f64>) -> Self {
-        Self { depths, supports, loads, profile: None, shape: None, simple: false, ..*self }
+        let ground = Arc::clone(&self.ground);
+        Self { depths, supports, loads, ground, profile: None, shape: None, simple: false, ..*self }
     }
 
     /// The same beam above ground that is known at the nodes only.
@@ -291,7 +306,7 @@ impl Discrete {
     /// The beam on its supports, with more if they do not hold it, above ground at zero and under other loads: the basic
     /// structure for forces in balance.
     pub(super) fn basic(&self, loads: Vec<f64>) -> Self {
-        Self { ground: None, ..self.on(self.supports.completed(), loads) }
+        Self { ground: Arc::new([]), ..self.on(self.supports.completed(), loads) }
     }
 
     /// The beam on other supports, above ground at zero and under other loads.

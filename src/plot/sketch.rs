@@ -59,7 +59,27 @@ pub(super) fn foundation_line(scene: &Scene, curves: &Curves) -> Ground {
     } else {
         Some(format!("The foundation is not drawn where it lies deeper than {}.", in_words(limit)))
     };
-    Ground { pieces, below, remark }
+    Ground { pieces: above_ground(scene, pieces), below, remark }
+}
+
+/// The same without what is above gaps in an elastic foundation.
+fn above_ground(scene: &Scene, pieces: Vec<Vec<Place>>) -> Vec<Vec<Place>> {
+    if scene.ground_parts().all(|(_, k)| 0.0 < k) {
+        return pieces;
+    }
+    let at = |piece: &[Place], x: f64| {
+        let next = piece.partition_point(|p| p[0] < x).clamp(1, piece.len() - 1);
+        let [a, b] = [piece[next - 1], piece[next]];
+        [x, a[1] + (b[1] - a[1]) * ((x - a[0]) / (b[0] - a[0]))]
+    };
+    let within = |piece: &Vec<Place>, [from, to]: [f64; 2]| {
+        let [from, to] = [from.max(piece[0][0]), to.min(piece[piece.len() - 1][0])];
+        let inside = piece.iter().copied().filter(|p| from < p[0] && p[0] < to);
+        let all = || std::iter::once(at(piece, from)).chain(inside).chain([at(piece, to)]).collect::<Vec<Place>>();
+        (from < to && 2 <= piece.len()).then(all)
+    };
+    let grounded: Vec<[f64; 2]> = scene.ground_parts().filter(|(_, k)| 0.0 < *k).map(|(part, _)| part).collect();
+    pieces.iter().flat_map(|piece| grounded.iter().filter_map(|part| within(piece, *part))).collect()
 }
 
 /// The stretches of a line that are not deeper than `limit`, and those from where to where it is.

@@ -237,10 +237,11 @@ fn clearance(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Vec<P
     let panel = |name: &str, points: Vec<Place>, at: f64, value: f64| {
         let y = Axis::new(name).unit(units.length.clone()).including(&[0.0]);
         let touching = touching(&points, curves);
-        let mut panel = Panel::new(along(scene, units), y)
-            .tall(380.0)
-            .room(1.75 * TEXT, 20.0)
-            .with(Layer::line(points, Style::solid(Color::BLUE)));
+        let mut panel = Panel::new(along(scene, units), y).tall(380.0).room(1.75 * TEXT, 20.0);
+        // Above a gap in the foundation there is none.
+        let stretches =
+            points.chunk_by(|a, b| a[1].is_finite() && b[1].is_finite()).filter(|part| part[0][1].is_finite());
+        panel.layers.extend(stretches.map(|part| Layer::line(part.to_vec(), Style::solid(Color::BLUE))));
         panel.layers.extend(touching);
         // A beam that lies on the ground from end to end has no clearance to name.
         let note = extreme("h", at, value, &units.length, units);

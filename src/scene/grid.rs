@@ -62,20 +62,28 @@ impl Grid {
         self.length / self.intervals as f64
     }
 
-    /// `1/kΔ`, how far ground of a stiffness gives at a node under a unit force: an end of the beam has half a spring. Rigid ground does
-    /// not give.
-    #[must_use]
-    pub fn give(&self, ground: Option<f64>, node: usize) -> f64 {
-        self.give_beside(ground, node, |_| false)
-    }
-
-    /// The same beside supports that only push and are sunk into the ground: each leaves half a spring to each of its neighbours, so
-    /// that it stands on its node alone.
-    pub(crate) fn give_beside(&self, ground: Option<f64>, node: usize, is_sunk: impl Fn(usize) -> bool) -> f64 {
-        let own = if node == 0 || node == self.intervals { 0.5 } else { 1.0 };
-        let beside = [node.checked_sub(1), Some(node + 1)].into_iter().flatten().filter(|node| is_sunk(*node));
-        let width = beside.fold(own, |width, _| width + 0.5) * self.spacing();
-        ground.map_or(0.0, |k| 1.0 / (k * width))
+    /// `1/∫k`, how far ground gives at a node under a unit force, with the integral over half an interval on each side of it: an end of the
+    /// beam has half a spring. Of the ground its [parts](Scene::ground_parts) of one stiffness each; rigid ground has none, and does not give.
+    ///
+    /// Beside supports that only push and are sunk into the ground each of these leaves half a spring to each of its neighbours, so that it
+    /// stands on its node alone.
+    pub(crate) fn give(&self, ground: &[([f64; 2], f64)], node: usize, is_sunk: impl Fn(usize) -> bool) -> f64 {
+        let side = |inside: bool, beside: usize| match inside {
+            true if is_sunk(beside) => 1.0,
+            true => 0.5,
+            false => 0.0,
+        };
+        let [left, right] = [side(0 < node, node.wrapping_sub(1)), side(node < self.intervals, node + 1)];
+        let spring = match *ground {
+            [] => return 0.0,
+            [(_, k)] => k * ((left + right) * self.spacing()),
+            _ => {
+                let [from, to] = [-left, right].map(|way| self.place(node) + way * self.spacing());
+                let over = |(part, k): &([f64; 2], f64)| k * (part[1].min(to) - part[0].max(from)).max(0.0);
+                ground.iter().map(over).sum()
+            }
+        };
+        1.0 / spring
     }
 
     /// The same of what is below a node of a scene: a support that only pushes does not give.
@@ -86,7 +94,11 @@ impl Grid {
             return 0.0;
         }
         let is_sunk = |node: usize| at(node).is_some_and(|bearing| scene.stands_in_ground(bearing));
-        self.give_beside(scene.ground_stiffness(), node, is_sunk)
+        match scene.ground_stiffness() {
+            None => 0.0,
+            Some(k) if scene.ground_steps().is_empty() => self.give(&[([0.0, self.length], k)], node, is_sunk),
+            Some(_) => self.give(&scene.ground_parts().collect::<Vec<_>>(), node, is_sunk),
+        }
     }
 
     /// `x_i`, rounded once more than the product `l i`, so that a node at a round place hits it; the last one is the end of the beam.

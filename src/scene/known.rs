@@ -26,6 +26,30 @@ impl Scene {
         Err(SceneError::NotKnown { what, feature })
     }
 
+    /// Whether an elastic foundation goes from end to end of the beam.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::NotKnown`] if not, naming what asked for it.
+    pub(crate) fn is_grounded_throughout(&self, what: &'static str) -> Result<(), SceneError> {
+        let is_open = self.ground_parts().any(|(_, k)| k <= 0.0);
+        if is_open { Err(SceneError::NotKnown { what, feature: "a gap in the foundation" }) } else { Ok(()) }
+    }
+
+    /// Whether an elastic foundation has one stiffness.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::NotKnown`] if not, naming what asked for it.
+    pub(crate) fn is_evenly_grounded(&self, what: &'static str) -> Result<(), SceneError> {
+        let changes = self.ground_changes().next().is_some();
+        if changes {
+            Err(SceneError::NotKnown { what, feature: "a stiffness of the foundation in steps" })
+        } else {
+            Ok(())
+        }
+    }
+
     /// Whether no support of the beam gives.
     ///
     /// # Errors

@@ -1,5 +1,6 @@
 //! Numbers and places as messages have them.
 
+use super::grid::MOST_FITTING;
 use crate::text::Results;
 
 /// A number as a message has it: as it is written in the file, or with six digits if it was computed.
@@ -42,7 +43,7 @@ pub(super) fn carriers(grounded: bool, ends: [f64; 2]) -> String {
 /// Over what a beam turns whose loads are at a place outside these: its end on ground, and else the outermost support.
 pub(super) fn fulcrum(grounded: bool, ends: [f64; 2], at: f64) -> String {
     let (side, end) = if at < ends[0] { ("left", ends[0]) } else { ("right", ends[1]) };
-    if grounded { format!("its {side} end") } else { format!("its support at x = {}", shown(end)) }
+    if grounded { format!("the {side} end of the ground") } else { format!("its support at x = {}", shown(end)) }
 }
 
 /// To four significant digits.
@@ -54,4 +55,14 @@ pub(super) fn rounded(value: f64) -> String {
 pub(super) fn beside(at: f64, [from, to]: [f64; 2]) -> String {
     let rounded: f64 = format!("{at:.3e}").parse().unwrap_or(at);
     if (from..=to).contains(&rounded) { in_full(at) } else { shown(rounded) }
+}
+
+/// What to do about a support between nodes.
+pub(super) fn fitting(fits: Option<usize>) -> String {
+    match fits {
+        Some(least) => {
+            format!("the least number of intervals with a node at every support is {least} (--intervals {least})")
+        }
+        None => format!("no number of intervals up to {MOST_FITTING} has a node at every support"),
+    }
 }

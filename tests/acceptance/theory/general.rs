@@ -395,6 +395,9 @@ fn grids_refuse_steps_and_joints() {
         let exact = palkki::theory::solve(&scene).expect("an answer");
         assert!(exact.derivatives(&scene).is_empty());
         let soft = scene.on_springs(10.0).expect("positive");
-        assert!(palkki::theory::solve(&soft).is_err_and(|error| error.to_string().contains("cannot compute")));
+        let exact = palkki::theory::solve(&soft).expect("an answer");
+        assert!(
+            exact.solved && exact.derivatives(&soft).iter().all(|of| of.by.to_string() != "beam.bending_stiffness")
+        );
     }
 }

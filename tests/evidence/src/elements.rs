@@ -5,6 +5,8 @@
 //! ```text
 //! (K + Σ k w NᵀN) u = f + Σ k w g Nᵀ        over the points with v > g;        R = (K u + … − f)  at what is held
 //! ```
+//!
+//! In a joint the slope has two freedoms, one for each side, with a turning spring between them.
 
 use palkki::scene::Scene;
 
@@ -13,8 +15,11 @@ use crate::definition::{FIVE, intensity};
 /// Elements: with nodes at tenths and eighths of the beam. Rounding grows with the fourth power.
 const ELEMENTS: u32 = 400;
 
-/// Coefficients of a row of the band, the diagonal first: two freedoms a node, four an element.
-const BAND: usize = 4;
+/// Freedoms of an element.
+const EACH: usize = 4;
+
+/// Coefficients of a row of the band, the diagonal first: an element and one more slope in a joint.
+const BAND: usize = 5;
 
 /// Changes of a set that are made, at most.
 const CHANGES: usize = 200;
@@ -46,10 +51,10 @@ fn slopes(t: f64, h: f64) -> [f64; 4] {
     [-turned, 1.0 - 4.0 * t + 3.0 * t * t, turned, t * (3.0 * t - 2.0)]
 }
 
-/// A point of the quadrature: its element, shape functions, weight, and the depth of the ground.
+/// A point of the quadrature: its element, shape functions, weight times stiffness of the ground, and the depth of the ground.
 struct Point {
     element: usize,
-    shape: [f64; 4],
+    shape: [f64; EACH],
     weight: f64,
     ground: f64,
 }
@@ -58,26 +63,48 @@ struct Point {
 struct Elements<'a> {
     scene: &'a Scene,
     nodes: Vec<f64>,
+    /// Of each node its deflection, and its slope to the left and to the right.
+    freedoms: Vec<[usize; 3]>,
     points: Vec<Point>,
     load: Vec<f64>,
 }
 
 impl<'a> Elements<'a> {
-    fn of(scene: &'a Scene) -> Self {
+    fn of(scene: &'a Scene, elements: u32) -> Self {
         let length = scene.beam().length();
-        let mut nodes: Vec<f64> = (0..=ELEMENTS).map(|i| length * f64::from(i) / f64::from(ELEMENTS)).collect();
+        let mut nodes = vec![0.0, length];
         nodes.extend(scene.beam().all_supports().iter().map(|support| support.at));
+        nodes.extend(scene.beam().joints().iter().map(|joint| joint.at));
+        nodes.extend(scene.beam().steps().iter().chain(scene.ground_steps()).map(|step| step[0]));
+        // None beside these: the stiffness of an element grows with the cube of how short it is.
+        let beside = |x: &f64| nodes.iter().any(|node| (node - x).abs() <= 0.25 * length / f64::from(elements));
+        let even: Vec<f64> = (1..elements).map(|i| length * f64::from(i) / f64::from(elements)).collect();
+        nodes.extend(even.into_iter().filter(|x| !beside(x)).collect::<Vec<f64>>());
         nodes.sort_by(f64::total_cmp);
         nodes.dedup_by(|a, b| (*a - *b).abs() <= 1e-9 * length);
         let own = |x: f64| scene.beam().shape().map_or(0.0, |shape| shape.depth(x));
-        let mut elements = Self { scene, points: Vec::new(), load: vec![0.0; 2 * nodes.len()], nodes };
+        let mut count = 0;
+        let freedoms: Vec<[usize; 3]> = nodes
+            .iter()
+            .map(|x| {
+                let turns = scene.beam().joints().iter().any(|joint| (joint.at - x).abs() <= 1e-9 * length);
+                let first = count;
+                count += 2 + usize::from(turns);
+                [first, first + 1, count - 1]
+            })
+            .collect();
+        let mut elements = Self { scene, points: Vec::new(), load: vec![0.0; count], nodes, freedoms };
         for (element, pair) in elements.nodes.windows(2).enumerate() {
+            let freedoms = of_element(&elements.freedoms, element);
             let width = pair[1] - pair[0];
             for [place, share] in FIVE {
                 let t = 0.5 + 0.5 * place;
                 let (x, weight, shape) = (pair[0] + t * width, 0.5 * share * width, shape(t, width));
-                (0..BAND).for_each(|i| elements.load[2 * element + i] += weight * intensity(scene, x) * shape[i]);
-                elements.points.push(Point { element, shape, weight, ground: scene.depth(x) - own(x) });
+                (0..EACH).for_each(|i| elements.load[freedoms[i]] += weight * intensity(scene, x) * shape[i]);
+                let [_, k] = scene.ground_stiffness_beside(x);
+                if 0.0 < k {
+                    elements.points.push(Point { element, shape, weight: k * weight, ground: scene.depth(x) - own(x) });
+                }
             }
         }
         let forces = scene.load().point().iter().map(|load| (load.at, load.force, shape as fn(f64, f64) -> [f64; 4]));
@@ -86,7 +113,8 @@ impl<'a> Elements<'a> {
             let element = elements.nodes.partition_point(|x| *x <= at).clamp(1, elements.nodes.len() - 1) - 1;
             let width = elements.nodes[element + 1] - elements.nodes[element];
             let on = on((at - elements.nodes[element]) / width, width);
-            (0..BAND).for_each(|i| elements.load[2 * element + i] += acts * on[i]);
+            let freedoms = of_element(&elements.freedoms, element);
+            (0..EACH).for_each(|i| elements.load[freedoms[i]] += acts * on[i]);
         }
         elements
     }
@@ -101,28 +129,37 @@ impl<'a> Elements<'a> {
         let mut rows = vec![[0.0; BAND]; self.load.len()];
         for (element, pair) in self.nodes.windows(2).enumerate() {
             let h = pair[1] - pair[0];
-            let unit = self.scene.beam().bending_stiffness() / (h * h * h);
+            let steps = self.scene.beam().steps();
+            let step = steps.iter().rfind(|step| step[0] <= 0.5 * (pair[0] + pair[1]));
+            let unit = step.map_or(self.scene.beam().bending_stiffness(), |step| step[1]) / (h * h * h);
             let [a, b, c] = [12.0 * unit, 6.0 * h * unit, 2.0 * h * h * unit];
-            let upper = [[a, b, -a, b], [2.0 * c, -b, c, 0.0], [a, -b, 0.0, 0.0], [2.0 * c, 0.0, 0.0, 0.0]];
-            for (i, row) in upper.iter().enumerate() {
-                rows[2 * element + i].iter_mut().zip(row).for_each(|(sum, value)| *sum += value);
+            let all = [[a, b, -a, b], [b, 2.0 * c, -b, c], [-a, -b, a, -b], [b, c, -b, 2.0 * c]];
+            let freedoms = of_element(&self.freedoms, element);
+            for i in 0..EACH {
+                (i..EACH).for_each(|j| rows[freedoms[i]][freedoms[j] - freedoms[i]] += all[i][j]);
             }
+        }
+        for joint in self.scene.beam().joints() {
+            let ([_, left, right], k) = (self.freedoms[self.node(joint.at)], joint.stiffness.unwrap_or(0.0));
+            (rows[left][0], rows[right][0], rows[left][1]) = (rows[left][0] + k, rows[right][0] + k, rows[left][1] - k);
         }
         rows
     }
 
     fn deflection(&self, u: &[f64], point: &Point) -> f64 {
-        (0..BAND).map(|i| point.shape[i] * u[2 * point.element + i]).sum()
+        let freedoms = of_element(&self.freedoms, point.element);
+        (0..EACH).map(|i| point.shape[i] * u[freedoms[i]]).sum()
     }
 
     /// The beam with these springs on and these freedoms held: its freedoms and what holds them.
-    fn solve(&self, k: f64, on: &[bool], held: &[(usize, f64)]) -> [Vec<f64>; 2] {
+    fn solve(&self, on: &[bool], held: &[(usize, f64)]) -> [Vec<f64>; 2] {
         let (mut rows, mut right) = (self.bending(), self.load.clone());
         for (point, _) in self.points.iter().zip(on).filter(|(_, on)| **on) {
-            let first = 2 * point.element;
-            for i in 0..BAND {
-                right[first + i] += k * point.weight * point.ground * point.shape[i];
-                (i..BAND).for_each(|j| rows[first + i][j - i] += k * point.weight * point.shape[i] * point.shape[j]);
+            let freedoms = of_element(&self.freedoms, point.element);
+            for i in 0..EACH {
+                right[freedoms[i]] += point.weight * point.ground * point.shape[i];
+                let pushed = |j: usize| point.weight * point.shape[i] * point.shape[j];
+                (i..EACH).for_each(|j| rows[freedoms[i]][freedoms[j] - freedoms[i]] += pushed(j));
             }
         }
         let (all, loads) = (rows.clone(), right.clone());
@@ -141,6 +178,12 @@ impl<'a> Elements<'a> {
         let left = product(&all, &right);
         [right, left.iter().zip(&loads).map(|(left, load)| load - left).collect()]
     }
+}
+
+/// The freedoms of an element: deflection and slope at its left end, and at its right end.
+fn of_element(freedoms: &[[usize; 3]], element: usize) -> [usize; EACH] {
+    let ([v, _, slope], [next, turned, _]) = (freedoms[element], freedoms[element + 1]);
+    [v, slope, next, turned]
 }
 
 /// Solves a symmetric band, in place.
@@ -176,22 +219,30 @@ fn product(rows: &[[f64; BAND]], u: &[f64]) -> Vec<f64> {
 /// The beam of a scene on an elastic foundation; [`None`] where the sets go on changing.
 #[must_use]
 pub fn solved(scene: &Scene) -> Option<Found> {
-    let (elements, k) = (Elements::of(scene), scene.ground_stiffness()?);
+    solved_by(scene, ELEMENTS)
+}
+
+/// The same by so many elements.
+#[must_use]
+pub fn solved_by(scene: &Scene, elements: u32) -> Option<Found> {
+    scene.ground_stiffness()?;
+    let elements = Elements::of(scene, elements);
     let mut always = Vec::new();
     for held in scene.held() {
-        let node = elements.node(held.at);
-        always.push((2 * node, held.deflection));
-        always.extend(held.slope.map(|slope| (2 * node + 1, slope)));
+        let [v, slope, _] = elements.freedoms[elements.node(held.at)];
+        always.push((v, held.deflection));
+        always.extend(held.slope.map(|held| (slope, held)));
     }
-    let bearings: Vec<(usize, f64)> = scene.bearings().map(|b| (2 * elements.node(b.at), b.gap)).collect();
+    let bearings: Vec<(usize, f64)> =
+        scene.bearings().map(|b| (elements.freedoms[elements.node(b.at)][0], b.gap)).collect();
     let mut presses = vec![true; bearings.len()];
-    let size: f64 = elements.load.iter().step_by(2).map(|load| load.abs()).sum();
+    let size: f64 = elements.freedoms.iter().map(|freedoms| elements.load[freedoms[0]].abs()).sum();
     let mut on = vec![true; elements.points.len()];
     for _ in 0..CHANGES {
         let stands = bearings.iter().zip(&presses).filter(|(_, presses)| **presses).map(|(bearing, _)| *bearing);
         let held: Vec<(usize, f64)> = always.iter().copied().chain(stands).collect();
         let [u, lacking] = (0..CHANGES).find_map(|_| {
-            let [u, lacking] = elements.solve(k, &on, &held);
+            let [u, lacking] = elements.solve(&on, &held);
             let next: Vec<bool> = elements.points.iter().map(|p| p.ground < elements.deflection(&u, p)).collect();
             let stays = next == on;
             on = next;
@@ -204,9 +255,9 @@ pub fn solved(scene: &Scene) -> Option<Found> {
             })
             .collect();
         let Some(last) = wrong.last() else {
-            let below = |point: &Point| (elements.deflection(&u, point) - point.ground).max(0.0) * point.weight * k;
-            let force = |at: f64| lacking[2 * elements.node(at)];
-            let deflection = elements.nodes.iter().zip(u.iter().step_by(2)).map(|(x, v)| [*x, *v]).collect();
+            let below = |point: &Point| (elements.deflection(&u, point) - point.ground).max(0.0) * point.weight;
+            let force = |at: f64| lacking[elements.freedoms[elements.node(at)][0]];
+            let deflection = elements.nodes.iter().zip(&elements.freedoms).map(|(x, of)| [*x, u[of[0]]]).collect();
             return Some(Found {
                 supports: scene.beam().all_supports().iter().map(|support| force(support.at)).collect(),
                 contact: elements.points.iter().map(below).sum(),
