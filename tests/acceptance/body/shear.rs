@@ -211,18 +211,19 @@ fn a_beam_that_gives_in_shear_has_no_concentrated_force() {
 /// the stiffer side of a dish. On a grid the node beside mid-span is released at a `D` that approaches this law with the first order.
 #[test]
 fn a_discontinuity_inside_contact_lifts_a_beam_that_gives_in_shear_beyond_its_law() {
-    /// Eight and sixteen cells are as long as three `s`; what is left after the first order is taken away.
+    /// Two and four cells are as long as `s`; what may be left after the first order is taken away.
     const GRIDS: [usize; 2] = [80, 160];
     const PART: f64 = 0.06;
     let s = 0.025 * L;
     let shear = EI / (s * s);
     let [soft, stiff] = [s, 2.0_f64.sqrt() * s];
     // A crest lifts the softer side, a dish the stiffer one; a positive couple the side before it.
-    for (what, stiffness, side, widths) in [
-        ("couple", [EI; 2], 1.0, [s, s]),
-        ("couple", [EI; 2], -1.0, [s, s]),
-        ("crest", [EI, 2.0 * EI], 1.0, [soft, stiff]),
-        ("dish", [EI, 2.0 * EI], -1.0, [stiff, soft]),
+    // The ground is deep enough for the ends of a dish to be below the supports.
+    for (what, depth, stiffness, side, widths) in [
+        ("couple", 1.0, [EI; 2], 1.0, [s, s]),
+        ("couple", 1.0, [EI; 2], -1.0, [s, s]),
+        ("crest", 1.0, [EI, 2.0 * EI], 1.0, [soft, stiff]),
+        ("dish", 3.5, [EI, 2.0 * EI], -1.0, [stiff, soft]),
     ] {
         let released = GRIDS.map(|intervals| {
             let beam = Shearing { intervals, stiffness, shear };
@@ -231,17 +232,16 @@ fn a_discontinuity_inside_contact_lifts_a_beam_that_gives_in_shear_beyond_its_la
             let under = |over: f64| {
                 let discontinuity = side * over * lifting_discontinuity(widths) * Q;
                 if what == "couple" {
-                    return beam.lies_down(|_| DEPTH, discontinuity, beside);
+                    return beam.lies_down(|_| depth, discontinuity, beside);
                 }
                 let curvature = discontinuity / (stiffness[1] - stiffness[0]);
-                // Deep enough for the ends of a dish to be below the supports.
-                beam.lies_down(|x| 2.5 * DEPTH + 0.5 * curvature * (x - 0.5 * L).powi(2), 0.0, beside)
+                beam.lies_down(|x| depth + 0.5 * curvature * (x - 0.5 * L).powi(2), 0.0, beside)
             };
             let ((lies, force), (lies_more, less)) = (under(0.25), under(0.5));
             assert!(lies && lies_more && less < force, "{what} {side}: {force}, {less}");
-            // The force falls in proportion.
+            // The force falls in proportion, but for what the ends of the zone add, which are at least three `s` away.
             let released = 0.25 + 0.25 * force / (force - less);
-            for (over, lies) in [(0.98, true), (1.02, false)] {
+            for (over, lies) in [(0.95, true), (1.05, false)] {
                 assert_eq!(under(over * released).0, lies, "{what} {side}, {intervals} intervals, {over}");
             }
             released

@@ -144,18 +144,19 @@ fn samples(found: &Found) -> Vec<[f64; 3]> {
 /// One column for each scene: the clearance of the gap above, the moment below, dashed that of the beam if it lay on the ground.
 fn panels(all: &[Found]) -> Vec<Panel> {
     let mut panels = Vec::new();
-    for (k, what) in [(1, "clearance h (length)"), (2, "moment M (force · length)")] {
+    for (k, what, unit) in [(1, "clearance h", "length"), (2, "moment M", "force · length")] {
         for found in all {
             let samples = samples(found);
             let ends = [samples[0][0], samples[samples.len() - 1][0]];
             let points: Vec<Place> = samples.iter().map(|sample| [sample[0], sample[k]]).collect();
-            let between = [("long part", [found.gap[0], found.at]), ("short part", [found.at, found.gap[1]])];
+            let between = [("long", [found.gap[0], found.at]), ("short", [found.at, found.gap[1]])];
             let divisions = Divisions {
                 lines: [found.gap[0], found.at, found.gap[1]].map(|x| (x, String::new())).to_vec(),
                 between: between.map(|(name, ends)| (ends, name.to_owned())).to_vec(),
             };
             let headroom = divisions.headroom();
-            let axis = Axis::new(format!("{}: {what}", found.name));
+            let axis = Axis::new(format!("{}: {what}", found.name)).unit(Some(unit.to_owned()));
+            let axis = if k == 1 { axis } else { axis.down() };
             let color = if k == 1 { Color::BLUE } else { Color::VERMILLION };
             let mut panel = Panel::new(Axis { padding: 0.0, ..Axis::along("x (length)", ends) }, axis);
             if k == 1 {

@@ -149,12 +149,12 @@ fn panels(curves: &[Curve], lift_off: f64, force: f64, length: f64) -> Vec<Panel
     let most = curves.iter().flat_map(|curve| &curve.samples).fold(0.0_f64, |most, sample| most.max(sample[1]));
     let x = || Axis { padding: 0.0, ..Axis::along("x/l", WINDOW) };
     let mut panels = Vec::new();
-    for (k, what) in [(1, "pressure p/q"), (2, "force up to x, ∫p dx / T₀")] {
-        for (shear, whose) in [(false, "springs"), (true, "rigid ground, beam with shear")] {
+    for (k, what) in [(1, "p/q"), (2, "∫p dx/T₀")] {
+        for (shear, whose) in [(false, "on springs"), (true, "with shear")] {
             let step = [[WINDOW[0], 0.0], [lift_off, 0.0], [lift_off, 1.0]];
             let end = if k == 1 { 1.0 } else { 1.0 + length * (WINDOW[1] - lift_off) / force };
             let rigid: Vec<Place> = step.into_iter().chain([[WINDOW[1], end]]).collect();
-            let y = Axis::new(format!("{what}: {whose}"));
+            let y = Axis::new(format!("{what} {whose}"));
             let y = if k == 1 { y.including(&[0.0, most]) } else { y };
             let mut panel = Panel::new(x(), y).with(Layer::line(rigid, Style::theory()));
             let of_it = curves.iter().filter(|curve| curve.shear == shear);
