@@ -91,7 +91,7 @@ fn inverse_questions_of_a_support_that_only_pushes_beside_an_elastic_foundation_
     let beam = Beam::new(L, EI).and_then(|beam| beam.with_supports(vec![middle])).expect("a beam");
     let load = Load::uniform_on(&beam, 2.0).expect("a load");
     // The support stands in the foundation.
-    let scene = Scene::above(beam, load, Some(Foundation::Flat { depth }), ground).expect("a scene");
+    let scene = Scene::above(beam, load, Some(Foundation::Flat { depth }), Some(ground)).expect("a scene");
     let decay = (0.25 * ground / EI).sqrt().sqrt();
     let x = decay * L;
     let sunk = 0.5 * decay / ground * (x.cosh() + x.cos() + 2.0) / (x.sinh() + x.sin());
