@@ -17,6 +17,7 @@ mod hinges;
 mod level;
 mod long;
 mod near;
+mod opened;
 mod pushing;
 mod random;
 pub(crate) mod settled;
