@@ -9,6 +9,7 @@
 //! Both are quotients of series in `z` with positive coefficients, the denominator `S = sinh u/u`: nothing cancels for a small force, and
 //! compression only changes the sign of `z`.
 
+use super::written::{rounded, shown};
 use super::{Beam, SceneError};
 
 /// Where the parts of a beam end at the latest: `|N| ℓ²/EI ≤ ¾` leaves the first term that is left out of each series below the rounding of
@@ -52,6 +53,39 @@ pub(crate) fn bow(z: f64, [sigma, rho]: [f64; 2]) -> f64 {
         p = next * z;
     }
     rho * sigma * (1.0 + rho) * sum / sine
+}
+
+/// Why a beam does not bear its compression.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum Unstable {
+    /// It is not held.
+    #[error(
+        "`beam.tension` is {}: compression needs a beam that its supports hold, by two of them or a built-in one, and that no hinge leaves \
+         free to move",
+        shown(*tension)
+    )]
+    Unheld {
+        /// The axial force \[force\].
+        tension: f64,
+    },
+    /// It has no position of rest but by chance.
+    #[error("`beam.tension` is {}: the beam buckles at {} before it touches", shown(*tension), rounded(*at))]
+    Buckles {
+        /// The axial force \[force\].
+        tension: f64,
+        /// At which it buckles \[force\].
+        at: f64,
+    },
+}
+
+impl Unstable {
+    /// With another unit of force.
+    pub(super) fn times(self, unit: f64) -> Self {
+        match self {
+            Self::Unheld { tension } => Self::Unheld { tension: tension * unit },
+            Self::Buckles { tension, at } => Self::Buckles { tension: tension * unit, at: at * unit },
+        }
+    }
 }
 
 /// A part of a beam between two places of what holds or changes it.
@@ -187,18 +221,14 @@ impl Beam {
     /// # Errors
     ///
     /// Compression of a beam that its supports do not hold, or that buckles under it.
-    pub(super) fn check_compression(&self) -> Result<(), SceneError> {
+    pub(super) fn check_compression(&self) -> Result<(), Unstable> {
         let tension = self.tension();
         if 0.0 <= tension {
             return Ok(());
         }
         if !self.is_held() || self.is_mechanism(self.holding()) {
-            return Err(SceneError::CompressionUnheld { value: tension });
+            return Err(Unstable::Unheld { tension });
         }
-        if self.is_stable(tension) {
-            Ok(())
-        } else {
-            Err(SceneError::Buckles { value: tension, at: self.buckles_at() })
-        }
+        if self.is_stable(tension) { Ok(()) } else { Err(Unstable::Buckles { tension, at: self.buckles_at() }) }
     }
 }

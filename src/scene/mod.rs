@@ -27,6 +27,7 @@ mod written;
 use std::sync::Arc;
 
 use self::ground::GroundStiffness;
+pub use axial::Unstable;
 pub use balance::{Balance, Resultant, Unheld};
 pub use beam::Beam;
 pub use error::SceneError;

@@ -85,30 +85,16 @@ impl Scene {
                 *number = value;
             }
         }
-        let Numbers {
-            stiffness,
-            steps,
-            joints,
-            tension,
-            supports,
-            shape,
-            uniform,
-            linear,
-            point,
-            couple,
-            foundation,
-            springs,
-        } = numbers;
-        let beam = Beam::new(self.beam.length(), stiffness)?
-            .with_supports(supports)?
-            .with_joints(joints)?
-            .with_tension(tension)?;
-        let beam = if steps.is_empty() { beam } else { beam.with_steps(steps)? };
+        let Numbers { tension, supports, shape, foundation, springs, .. } = numbers;
+        let beam = Beam::new(self.beam.length(), numbers.stiffness)?.with_supports(supports)?;
+        let beam = beam.with_joints(numbers.joints)?.with_tension(tension)?;
+        let beam = if numbers.steps.is_empty() { beam } else { beam.with_steps(numbers.steps)? };
         let beam = match shape {
             Some(shape) => beam.with_shape(shape)?,
             None => beam,
         };
-        let load = Load::new(&beam, uniform, linear, point)?.with_couples(&beam, couple)?;
+        let load =
+            Load::new(&beam, numbers.uniform, numbers.linear, numbers.point)?.with_couples(&beam, numbers.couple)?;
         let springs = match springs {
             Some(GroundStiffness { greatest, steps }) if steps.is_empty() => Some(GroundStiffness::one(greatest)?),
             Some(GroundStiffness { steps, .. }) => Some(GroundStiffness::in_steps(steps, beam.length())?),

@@ -15,7 +15,6 @@
 //!
 //! A spring presses with `k (v − d) = k (s₀ − s)`, where `s₀` is the clearance without force.
 //! Under an axial force equilibrium is `B m − N B s − p = −f − N B u`.
-//!
 //! Where the beam is stiffer a link bends less, and a joint bends besides: its flexibility is added to `W`.
 //!
 //! At a support the clearance is given instead of the force, and at an end of the beam that is not built in the moment is zero. Both

@@ -222,21 +222,6 @@ impl PiecewiseScene {
         self.shapes[self.cells[cell].shape].degree().is_some_and(|degree| degree < 2)
     }
 
-    /// `e u'''' − N u'' − q` in `cell`: what drives the clearance where nothing touches, and minus the pressure where it does.
-    pub(super) fn drive(&self, cell: usize, x: f64) -> f64 {
-        let degree = self.shapes[self.cells[cell].shape].degree();
-        let profile = if degree.is_none_or(|d| 4 <= d) { self.bent(cell, x, 4) } else { 0.0 };
-        let bends = self.tension != 0.0 && degree.is_none_or(|d| 2 <= d);
-        let pulled = if bends { self.tension * self.derivative(cell, x, 2) } else { 0.0 };
-        profile - pulled - self.load(cell, x)
-    }
-
-    /// The same at a distance `t` from `lo`, without the waves of a profile, which follow in closed form.
-    pub(super) fn drive_without_waves(&self, cell: usize, lo: f64, t: f64) -> f64 {
-        let Cell { shape, stiffness, .. } = self.cells[cell];
-        stiffness * self.shapes[shape].fourth_without_waves(lo + t) - self.load_beyond(cell, lo, t)
-    }
-
     /// The cell in which `x` lies; at a breakpoint the one to its right, at the right end the last one.
     pub(super) fn cell_from(&self, x: f64) -> usize {
         self.breakpoints.partition_point(|j| j.x <= x).saturating_sub(1).min(self.cells.len() - 1)
