@@ -79,7 +79,10 @@ pub(super) fn deflection(scene: &Scene, enclosed: &EnclosedScene<'_>, forces: &C
     });
     let (load, beam) = (scene.load(), scene.beam());
     let linear = load.linear().iter().copied().chain(spread).collect();
-    let load = Load::new(beam, load.uniform(), linear, load.point().to_vec()).ok()?;
+    let couples = load.couple().to_vec();
+    let load = Load::new(beam, load.uniform(), linear, load.point().to_vec())
+        .and_then(|load| load.with_couples(beam, couples))
+        .ok()?;
     let mut net = standing::between(&scene.under(load).ok()?);
     let concentrated = given.iter().filter(|f| f.width <= 0.0);
     net.points.extend(concentrated.map(|f| (f.x, Interval::exact(-f.force))));

@@ -18,6 +18,7 @@ mod complementarity;
 pub(crate) mod contact_set;
 mod discrete;
 mod displacement;
+mod divisions;
 mod extremes;
 mod force;
 mod held_beam;
@@ -28,6 +29,7 @@ mod sparse;
 mod springs;
 mod statics;
 pub(crate) mod supports;
+mod turns;
 
 pub use answer::{Nodal, contact_state, free_beam};
 pub use discrete::Discrete;

@@ -7,7 +7,7 @@ use super::figure::Figure;
 use super::layer::{Arrow, Arrows, Layer, Place};
 use super::palette::{Color, Dash, Marker, Style};
 use super::panel::Panel;
-use super::sketch::{Ground, UnitLabels, foundation_line, sketch, support_marks, with_unit};
+use super::sketch::{Ground, UnitLabels, changes, foundation_line, joint_marks, sketch, support_marks, with_unit};
 use super::{PlotError, finite, same_length};
 use crate::scene::Scene;
 use crate::state::{Extremes, SupportForce};
@@ -158,10 +158,13 @@ fn shape(scene: &Scene, curves: &Curves, ground: &Ground, units: &UnitLabels) ->
         (true, true) => 190.0,
         (true, false) => 280.0,
     };
+    let changes = changes(scene, units);
     panel = panel
+        .room(headroom + changes.headroom(), footroom(ground))
+        .with(Layer::Divisions(changes))
         .with(support_marks(scene))
         .with(Layer::line(curves.axis(), Style { width: 9, ..Style::solid(Color::BLACK) }))
-        .room(headroom, footroom(ground));
+        .with(joint_marks(scene, curves));
     if load {
         panel = panel.with(Layer::Load(sketch));
     }
@@ -196,7 +199,8 @@ fn small(name: &str, scene: &Scene, curves: &Curves) -> Panel {
     let arrows = Arrows { arrows: arrows.collect(), color: Color::VERMILLION, dash: Dash::Solid };
     panel = panel.with(support_marks(scene));
     panel.layers.extend(touching(&beam, curves));
-    panel.with(Layer::line(beam, Style { width: 7, ..Style::solid(Color::BLACK) })).with(Layer::Arrows(arrows))
+    let beam = Layer::line(beam, Style { width: 7, ..Style::solid(Color::BLACK) });
+    panel.with(beam).with(joint_marks(scene, curves)).with(Layer::Arrows(arrows))
 }
 
 /// How high a line is at `x`, or at the first of its points beyond.

@@ -3,7 +3,7 @@
 use super::balance::Unheld;
 use super::quantity::{Profile, ProfileKey, Quantity};
 use super::scale::Scale;
-use super::written::{against, fitting, shown};
+use super::written::{against, fitting, placed, rounded, shown};
 
 /// Why a scene was refused.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -173,6 +173,24 @@ pub enum SceneError {
         /// Where it acts.
         value: f64,
     },
+    /// Compression of a beam that is not held.
+    #[error(
+        "`beam.tension` is {}: compression needs a beam that its supports hold, by two of them or a built-in one, and that no hinge leaves \
+         free to move",
+        shown(*value)
+    )]
+    CompressionUnheld {
+        /// The axial force.
+        value: f64,
+    },
+    /// Compression under which the beam has no position of rest but by chance.
+    #[error("`beam.tension` is {}: the beam buckles at {} before it touches", shown(*value), rounded(*at))]
+    Buckles {
+        /// The axial force.
+        value: f64,
+        /// At which it buckles.
+        at: f64,
+    },
     /// Something that does not know a part of the scene.
     #[error("{what} cannot compute {feature} yet")]
     NotKnown {
@@ -302,14 +320,16 @@ pub enum SceneError {
         /// What it came to.
         value: f64,
     },
-    /// A support between the nodes of a grid.
-    #[error("no node of {intervals} equal intervals lies on the support at x = {}; {}", shown(*at), fitting(*fits))]
-    SupportBetweenNodes {
-        /// Where the support is.
+    /// What a grid needs a node for lies between its nodes.
+    #[error("no node of {intervals} equal intervals lies on {} at x = {}; {}", placed(*quantity), shown(*at), fitting(*fits))]
+    BetweenNodes {
+        /// The supports, a joint, or a step of the bending stiffness.
+        quantity: Quantity,
+        /// Where it is.
         at: f64,
         /// The number of intervals asked for.
         intervals: usize,
-        /// The least number that has a node at every support, if it is not too large.
+        /// The least number that has a node at each of them, if it is not too large.
         fits: Option<usize>,
     },
     /// A grid without interior nodes.
@@ -333,8 +353,8 @@ impl SceneError {
     #[must_use]
     pub fn in_units_of(self, scale: &Scale) -> Self {
         match self {
-            Self::SupportBetweenNodes { at, intervals, fits } => {
-                Self::SupportBetweenNodes { at: at * scale.length, intervals, fits }
+            Self::BetweenNodes { quantity, at, intervals, fits } => {
+                Self::BetweenNodes { quantity, at: at * scale.length, intervals, fits }
             }
             other => other,
         }
@@ -371,8 +391,10 @@ impl SceneError {
             | Self::ValleyAtSupport { .. } => Some(Quantity::Profile(Profile::Foundation, ProfileKey::Whole)),
             Self::CornerAtBuiltIn { .. } => Some(Quantity::Profile(Profile::Shape, ProfileKey::Whole)),
             Self::NeedsRigidGround { .. } | Self::NoGroundAnywhere => Some(Quantity::GroundStiffness),
+            Self::CompressionUnheld { .. } | Self::Buckles { .. } => Some(Quantity::Tension),
             Self::NoSteps { of } => Some(of),
-            Self::Unheld(_) | Self::SupportBetweenNodes { .. } => Some(Quantity::Supports),
+            Self::BetweenNodes { quantity, .. } => Some(quantity),
+            Self::Unheld(_) => Some(Quantity::Supports),
             Self::TooFewIntervals { .. } | Self::NoMemory { .. } | Self::NotKnown { .. } => None,
         }
     }

@@ -50,6 +50,29 @@ impl Scene {
         }
     }
 
+    /// Whether all moments of the beam follow from forces that are given: there is no hinge, and on ground that gives there are neither steps
+    /// of the bending stiffness nor joints.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::NotKnown`] if not, naming what asked for it.
+    pub fn bends_under_forces(&self, what: &'static str) -> Result<(), SceneError> {
+        if self.ground_stiffness().is_some() {
+            return self.is_uniform(what);
+        }
+        let hinge = self.beam.joints().iter().find(|joint| joint.stiffness.is_none());
+        hinge.map_or(Ok(()), |_| Err(SceneError::NotKnown { what, feature: "hinges" }))
+    }
+
+    /// Whether no axial force acts on the beam.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::NotKnown`] if one does, naming what asked for it.
+    pub fn has_no_tension(&self, what: &'static str) -> Result<(), SceneError> {
+        if self.beam.tension() == 0.0 { Ok(()) } else { Err(SceneError::NotKnown { what, feature: "an axial force" }) }
+    }
+
     /// Whether no support of the beam gives.
     ///
     /// # Errors

@@ -1,6 +1,7 @@
 //! Numbers and places as messages have them.
 
 use super::grid::MOST_FITTING;
+use super::quantity::Quantity;
 use crate::text::Results;
 
 /// A number as a message has it: as it is written in the file, or with six digits if it was computed.
@@ -57,12 +58,20 @@ pub(super) fn beside(at: f64, [from, to]: [f64; 2]) -> String {
     if (from..=to).contains(&rounded) { in_full(at) } else { shown(rounded) }
 }
 
-/// What to do about a support between nodes.
+/// What stands at a place that a grid needs a node for.
+pub(super) fn placed(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::JointAt(_) => "the joint",
+        Quantity::StepAt(_) => "the change of the bending stiffness",
+        _ => "the support",
+    }
+}
+
+/// What to do about a place between nodes.
 pub(super) fn fitting(fits: Option<usize>) -> String {
+    const PLACES: &str = "a node at every support, joint and change of the bending stiffness";
     match fits {
-        Some(least) => {
-            format!("the least number of intervals with a node at every support is {least} (--intervals {least})")
-        }
-        None => format!("no number of intervals up to {MOST_FITTING} has a node at every support"),
+        Some(least) => format!("the least number of intervals with {PLACES} is {least} (--intervals {least})"),
+        None => format!("no number of intervals up to {MOST_FITTING} has {PLACES}"),
     }
 }
