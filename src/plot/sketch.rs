@@ -97,13 +97,15 @@ fn cut(line: &[Place], limit: f64) -> (Vec<Vec<Place>>, Vec<[f64; 2]>) {
 /// beam is not tied to.
 pub(super) fn support_marks(scene: &Scene) -> Layer {
     let (beam, supports) = (scene.beam(), scene.beam().all_supports());
-    let is_held = supports.iter().any(|support| support.slope.is_some());
+    let is_held = supports.iter().any(Support::is_built_in);
     let mark = |(i, support): (usize, &Support)| {
         let kind = match support.slope {
-            Some(_) => SupportKind::BuiltIn { ends: [support.at <= 0.0, beam.length() <= support.at] },
-            None if support.pushes_only => SupportKind::Bearing,
-            None if i == 0 && !is_held => SupportKind::Hinge,
-            None => SupportKind::Roller,
+            Some(_) if support.is_built_in() => {
+                SupportKind::BuiltIn { ends: [support.at <= 0.0, beam.length() <= support.at] }
+            }
+            _ if support.pushes_only => SupportKind::Bearing,
+            _ if i == 0 && !is_held => SupportKind::Hinge,
+            _ => SupportKind::Roller,
         };
         SupportMark { at: [support.at, support.level], kind }
     };
