@@ -5,7 +5,9 @@ use std::fmt::Debug;
 
 use palkki::route::{Solution, Status};
 use palkki::solve_exactly;
-use palkki_evidence::practice::{Case, Family, Found, Numbers, Reference, Shares, reference};
+use palkki_evidence::draft::Draft;
+use palkki_evidence::elements::{Found, Numbers, Reference, Shares, reference};
+use palkki_evidence::practice::Family;
 use palkki_evidence::random::sample_of;
 
 use crate::support::assert_table;
@@ -80,7 +82,7 @@ fn differ(reference: &Reference, numbers: &Numbers, is_coarse: bool) -> Option<S
 }
 
 impl Count {
-    fn add(&mut self, i: u32, case: &Case, is_coarse: bool) {
+    fn add(&mut self, i: u32, case: &Draft, is_coarse: bool) {
         self.cases += 1;
         let solved = case.scene().map_err(|error| kind(&error));
         let solved = solved.and_then(|scene| solve_exactly(&scene).map_err(|error| kind(&error)));
@@ -89,7 +91,7 @@ impl Count {
             Ok(solution) if solution.verdict.status == Status::Certified => None,
             Ok(solution) => Some((1, solution.verdict.refusal.as_ref().map_or_else(String::new, kind))),
         };
-        match (reference(case), solved, refusal) {
+        match (reference(&case.text()), solved, refusal) {
             (Found::NoAnswer, Err(_), _) => self.without += 1,
             (_, _, Some((how, kind))) => *self.lost[how].entry(kind).or_default() += 1,
             (Found::Answer(reference), Ok(solution), None) => {
@@ -174,7 +176,7 @@ fn a_wrong_number_of_a_beam_in_practice_shows() {
     let mut moved = 0;
     for (family, _) in Family::ALL {
         for case in (0..4).map(|i| family.case(i)) {
-            let Found::Answer(reference) = reference(&case) else { continue };
+            let Found::Answer(reference) = reference(&case.text()) else { continue };
             let right = reference.numbers.clone();
             assert_eq!(differ(&reference, &right, false), None);
             let size = |values: &[f64]| values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));

@@ -5,7 +5,8 @@
 use palkki::route::Status;
 use palkki::scene::{Beam, CoupleLoad, Foundation, Load, PointLoad, Scene, Support};
 use palkki::{Solution, solve_exactly};
-use palkki_evidence::elements;
+use palkki_evidence::draft::Draft;
+use palkki_evidence::elements::{Found, reference};
 
 const LENGTH: f64 = 10.0;
 const SOIL: f64 = 100.0;
@@ -72,9 +73,10 @@ fn numbers(solution: &Solution) -> Vec<(&'static str, f64, Option<[f64; 2]>, f64
 
 /// What is wrong with an answer.
 fn wrong(coupled: &Coupled, apart: f64) -> Vec<String> {
-    /// What opposite forces at this distance are off by, and elements of a fortieth of a unit.
+    /// What opposite forces at this distance are off by, and elements.
     const ARM: f64 = 1e-4;
     const OTHERS: f64 = 1e-3;
+    const ELEMENTS: f64 = 1e-5;
     /// Of a mirror image, which is found in another order.
     const MIRRORED: f64 = 1e-9;
     // Over a short stretch between a couple and a step the pressure of the pair is a rounded difference over its length.
@@ -106,12 +108,16 @@ fn wrong(coupled: &Coupled, apart: f64) -> Vec<String> {
             wrong.push(format!("{what}: {own} in {bracket:?}"));
         }
     }
-    let Some(found) = elements::solved(&scene) else { return [wrong, vec!["elements go on".to_owned()]].concat() };
+    let Found::Answer(found) = reference(&Draft::from(&scene).text()) else {
+        return [wrong, vec!["elements go on".to_owned()]].concat();
+    };
     let exact = solution.exact.as_ref().expect("functions");
     let deepest = solution.state.deflection.max.abs();
-    let off = found.deflection.iter().map(|[x, v]| (exact.deflection(*x) - v).abs()).fold(0.0, f64::max);
-    if !(off <= OTHERS * deepest && (found.contact - solution.state.contact_force()).abs() <= OTHERS * LENGTH) {
-        wrong.push(format!("{off:e} off the elements, contact {}", found.contact));
+    let deflections = found.places.iter().zip(&found.numbers.deflections);
+    let off = deflections.map(|(x, v)| (exact.deflection(*x) - v).abs()).fold(0.0, f64::max);
+    let contact = found.numbers.contact;
+    if !(off <= ELEMENTS * deepest && (contact - solution.state.contact_force()).abs() <= ELEMENTS * LENGTH) {
+        wrong.push(format!("{off:e} off the elements, contact {contact}"));
     }
     wrong
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene, SceneError, Support};
+use palkki::scene::{Beam, CoupleLoad, Foundation, Joint, LinearLoad, Load, PointLoad, Scene, SceneError, Support};
 
 use crate::paper::{LENGTH, STIFFNESS, UNIFORM};
 
@@ -13,14 +13,22 @@ pub struct Draft {
     pub length: f64,
     /// Bending stiffness.
     pub stiffness: f64,
+    /// Bending stiffness from each place on; without any it is `stiffness`.
+    pub steps: Vec<[f64; 2]>,
+    /// Joints.
+    pub joints: Vec<Joint>,
     /// Uniform load.
     pub uniform: f64,
     /// Loads that vary linearly.
     pub linear: Vec<LinearLoad>,
     /// Point loads.
     pub point: Vec<PointLoad>,
+    /// Couples.
+    pub couple: Vec<CoupleLoad>,
     /// The foundation, if there is one.
     pub ground: Option<Foundation>,
+    /// Stiffness of the foundation, if it gives.
+    pub soil: Option<f64>,
     /// [`None`] for the supports that are there if nothing is said of them.
     pub supports: Option<Vec<Support>>,
     /// The own shape, if the beam has one.
@@ -70,7 +78,8 @@ impl Draft {
     ///
     /// What is wrong with its numbers.
     pub fn beam(&self) -> Result<Beam, SceneError> {
-        let beam = Beam::new(self.length, self.stiffness)?;
+        let beam = Beam::new(self.length, self.stiffness)?.with_joints(self.joints.clone())?;
+        let beam = if self.steps.is_empty() { beam } else { beam.with_steps(self.steps.clone())? };
         let beam = match &self.supports {
             Some(supports) => beam.with_supports(supports.clone())?,
             None => beam,
@@ -87,16 +96,7 @@ impl Draft {
     ///
     /// What is wrong with its numbers.
     pub fn scene(&self) -> Result<Scene, SceneError> {
-        self.scene_above(None)
-    }
-
-    /// The scene above a foundation of a stiffness \[force / length²\], rigid without.
-    ///
-    /// # Errors
-    ///
-    /// What is wrong with its numbers.
-    pub fn scene_above(&self, stiffness: Option<f64>) -> Result<Scene, SceneError> {
-        Scene::above(self.beam()?, self.load()?, self.ground.clone(), stiffness)
+        Scene::above(self.beam()?, self.load()?, self.ground.clone(), self.soil)
     }
 
     /// The loads, whatever the beam is held by.
@@ -106,7 +106,7 @@ impl Draft {
     /// What is wrong with their numbers, or with the length of the beam.
     pub fn load(&self) -> Result<Load, SceneError> {
         let beam = Beam::new(self.length, self.stiffness)?;
-        Load::new(&beam, self.uniform, self.linear.clone(), self.point.clone())
+        Load::new(&beam, self.uniform, self.linear.clone(), self.point.clone())?.with_couples(&beam, self.couple.clone())
     }
 
     /// The supports, in the order in which the file has them.
@@ -134,9 +134,12 @@ impl Draft {
     /// The scene file.
     #[must_use]
     pub fn text(&self) -> String {
-        let Self { length, stiffness, uniform, linear, point, ground, supports, shape } = self;
-        let mut text = format!("[beam]\nlength = {}\nbending_stiffness = {}\n", number(*length), number(*stiffness));
+        let Self { length, uniform, linear, point, couple, ground, soil, supports, shape, .. } = self;
+        let mut text = format!("[beam]\nlength = {}\nbending_stiffness = {}\n", number(*length), self.bending());
         // Writing to a string does not fail.
+        if !self.joints.is_empty() {
+            let _ = writeln!(text, "joints = [{}]", self.joints.iter().map(joint).collect::<Vec<_>>().join(", "));
+        }
         if let Some(shape) = shape {
             let _ = writeln!(text, "shape = {{ {} }}", keys(shape));
         }
@@ -152,10 +155,26 @@ impl Draft {
             let [at, force] = [part.at, part.force].map(number);
             let _ = writeln!(text, "[[load.point]]\nat = {at}\nforce = {force}");
         }
+        for part in couple {
+            let [at, moment] = [part.at, part.moment].map(number);
+            let _ = writeln!(text, "[[load.couple]]\nat = {at}\nmoment = {moment}");
+        }
         if let Some(ground) = ground {
             let _ = writeln!(text, "[foundation]\n{}", keys(ground));
         }
+        if let Some(soil) = soil.filter(|_| ground.is_some()) {
+            let _ = writeln!(text, "stiffness = {}", number(soil));
+        }
         text
+    }
+
+    /// The value of `beam.bending_stiffness`.
+    fn bending(&self) -> String {
+        let step = |[x, stiffness]: &[f64; 2]| format!("[{}, {}]", number(*x), number(*stiffness));
+        match &self.steps[..] {
+            [] => number(self.stiffness),
+            steps => format!("{{ steps = [{}] }}", steps.iter().map(step).collect::<Vec<_>>().join(", ")),
+        }
     }
 
     /// The same from right to left.
@@ -166,7 +185,14 @@ impl Draft {
         let linear =
             |q: &LinearLoad| LinearLoad { from: length - q.to, to: length - q.from, start: q.end, end: q.start };
         let support = |s: &Support| Support { at: length - s.at, slope: s.slope.map(|slope| -slope), ..*s };
+        let ends = self.steps.iter().skip(1).map(|step| step[0]).chain([length]);
+        let mut steps: Vec<[f64; 2]> =
+            self.steps.iter().zip(ends).map(|([_, stiffness], end)| [length - end, *stiffness]).collect();
+        steps.reverse();
         Self {
+            steps,
+            joints: self.joints.iter().map(|j| Joint { at: length - j.at, ..*j }).collect(),
+            couple: self.couple.iter().map(|c| CoupleLoad { at: length - c.at, moment: -c.moment }).collect(),
             linear: self.linear.iter().map(linear).collect(),
             point: self.point.iter().map(|p| PointLoad { at: length - p.at, ..*p }).collect(),
             ground: profile(&self.ground),
@@ -194,9 +220,22 @@ impl Draft {
             ..*s
         };
         let profile = |profile: &Option<Foundation>| profile.as_ref().map(|profile| scaled(profile, length, depth));
+        let bending = force * length * length * length / depth;
         Self {
             length: self.length * length,
-            stiffness: self.stiffness * (force * length * length * length / depth),
+            stiffness: self.stiffness * bending,
+            steps: self.steps.iter().map(|[x, stiffness]| [x * length, stiffness * bending]).collect(),
+            joints: self
+                .joints
+                .iter()
+                .map(|j| Joint { at: j.at * length, stiffness: j.stiffness.map(|k| k * (bending / length)) })
+                .collect(),
+            couple: self
+                .couple
+                .iter()
+                .map(|c| CoupleLoad { at: c.at * length, moment: c.moment * (force * length) })
+                .collect(),
+            soil: self.soil.map(|k| k * (density / depth)),
             uniform: self.uniform * density,
             linear: self.linear.iter().map(linear).collect(),
             point: self.point.iter().map(|p| PointLoad { at: p.at * length, force: p.force * force }).collect(),
@@ -213,10 +252,14 @@ impl From<&Scene> for Draft {
         Self {
             length: beam.length(),
             stiffness: beam.bending_stiffness(),
+            steps: beam.steps().to_vec(),
+            joints: beam.joints().to_vec(),
             uniform: load.uniform(),
             linear: load.linear().to_vec(),
             point: load.point().to_vec(),
+            couple: load.couple().to_vec(),
             ground: scene.foundation().cloned(),
+            soil: scene.ground_stiffness(),
             supports: Some(beam.supports_as_given()),
             shape: beam.shape().cloned(),
         }
@@ -284,6 +327,12 @@ fn keys(profile: &Foundation) -> String {
             format!("points = [{}]", points.join(", "))
         }
     }
+}
+
+/// An entry of `beam.joints`.
+fn joint(joint: &Joint) -> String {
+    let stiffness = joint.stiffness.map_or_else(String::new, |k| format!(", stiffness = {}", number(k)));
+    format!("{{ at = {}{stiffness} }}", number(joint.at))
 }
 
 /// An entry of `beam.supports`.
