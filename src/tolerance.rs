@@ -79,6 +79,7 @@ impl DepthTolerance {
         let left_out = estimates.is_none().then_some(match scene.ground_stiffness() {
             Some(_) => "no estimates: they are for rigid ground",
             None if scene.is_uniform("").is_err() => "no estimates: they are for beams of one stiffness",
+            None if scene.is_firm("").is_err() => "no estimates: they are for supports that give nothing",
             None => "no estimates: the forces do not follow from the depths to first order",
         });
         Self { tolerance, energy: [lower, upper], contact, estimates, left_out }
@@ -87,7 +88,7 @@ impl DepthTolerance {
 
 /// True of a beam that no supports hold, nor carry where they only push: the ground carries part of its loads, whatever its depth.
 fn leans(scene: &Scene) -> bool {
-    if !scene.beam().bearings().is_empty() {
+    if !scene.beam().bearings().is_empty() || !scene.beam().springs().is_empty() {
         return false;
     }
     match scene.scaled().map(|scaled| scaled.balance) {

@@ -62,6 +62,7 @@ pub struct Violation {
 /// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled.
 pub fn violations(scene: &Scene, given: &ContactLoad) -> Result<Vec<Violation>, SceneError> {
     scene.is_uniform("a check of contact forces")?;
+    scene.is_firm("a check of contact forces")?;
     enclosed(scene, |enclosed, scaled| {
         let scale = &scaled.scale;
         let forces = given.scaled(scale);

@@ -160,6 +160,7 @@ fn solve(arguments: &Solve) -> Result<u8, Failure> {
     let on_beam = |input: &Input| {
         if arguments.derivatives {
             input.scene.is_uniform("--derivatives").map_err(|error| input.error(error))?;
+            input.scene.is_firm("--derivatives").map_err(|error| input.error(error))?;
         }
         let answer = Answer::of(input, arguments.route()?)?;
         let local = Local::of(&input.scene, &answer, arguments);
@@ -256,6 +257,7 @@ fn explain(arguments: &explain::Explain) -> Result<u8, Failure> {
     let what = format!("explaining {}", input::called(&scene.path));
     let on_beam = |input: &Input| {
         input.scene.is_uniform("explain").map_err(|error| input.error(error))?;
+        input.scene.is_firm("explain").map_err(|error| input.error(error))?;
         let answer = Answer::of(input, Route::Exact(Demand::default()))?;
         let text = explain::text(input, &answer, *format);
         Ok(Outcome { text, files: Vec::new(), is_certified: answer.is_certified() })

@@ -76,6 +76,7 @@ impl Discrete {
 
     fn unmeasured(scene: &Scene, intervals: usize) -> Result<Self, SceneError> {
         scene.is_uniform("a method on a grid")?;
+        scene.is_firm("a method on a grid")?;
         let grid = Grid::uniform(scene, intervals)?;
         let supports = Supports::on(&grid, scene)?;
         let open = scene.foundation().is_none() && !supports.bearings().is_empty();

@@ -52,7 +52,8 @@ impl Discrete {
     fn turned_about(&self, node: usize, slope: f64) -> Self {
         let below = self.supports().at(node).map_or(0.0, |support| support.below);
         let (at, deflection) = (self.grid.place(node), self.level(node));
-        let held = Held { at, deflection, slope: Some(slope), at_level: [false; 2], tangent: [false; 2] };
+        let held =
+            Held { at, deflection, slope: Some(slope), turning: None, at_level: [false; 2], tangent: [false; 2] };
         self.on(self.supports().holding(vec![NodeSupport { node, held, below }]), self.loads.clone())
     }
 

@@ -155,7 +155,14 @@ impl Supports {
     pub(super) fn completed(&self) -> Self {
         let ghost = |node: usize| NodeSupport {
             node,
-            held: Held { at: 0.0, deflection: 0.0, slope: None, at_level: [false; 2], tangent: [false; 2] },
+            held: Held {
+                at: 0.0,
+                deflection: 0.0,
+                slope: None,
+                turning: None,
+                at_level: [false; 2],
+                tangent: [false; 2],
+            },
             below: 0.0,
         };
         let mut all = self.all.clone();

@@ -137,6 +137,8 @@ fn name(quantity: Quantity, scene: &Scene) -> (&'static str, Option<String>) {
         Quantity::CoupleMoment(_) => ("couple", moment),
         Quantity::SupportAt(_) => ("place of the support", length),
         Quantity::SupportLevel(_) => ("level of the support", length),
+        Quantity::SupportStiffness(_) => ("stiffness of the support", None),
+        Quantity::SupportTurningStiffness(_) => ("turning stiffness of the support", None),
         Quantity::SupportSlope(_) => ("slope at the support", None),
         Quantity::Profile(_, ProfileKey::Depth) => ("depth of the ground", length),
         Quantity::Profile(..) | Quantity::Supports | Quantity::TotalLoad | Quantity::GroundStiffness => ("", None),

@@ -84,6 +84,7 @@ impl Given {
     pub(super) fn of(scene: &Scene, press: &[f64]) -> Result<Self, Unproven> {
         let (beam, load, l) = (scene.beam(), scene.load(), scene.beam().length());
         scene.is_uniform("--proof")?;
+        scene.is_firm("--proof")?;
         if scene.ground_stiffness().is_some()
             && let Some(acts) = load.concentrated().find(|acts| acts.couple != 0.0)
         {

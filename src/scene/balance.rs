@@ -13,11 +13,14 @@
 //! sums themselves are taken in twice the precision. Where zero lies in the interval, the loads are balanced within rounding,
 //! and to which side the beam would turn is left open.
 
+mod sum;
+
 use std::cmp::Ordering;
 
+use sum::Sum;
+
 use super::written::{beside, carriers, fulcrum, rounded, shown};
-use super::{Concentrated, Foundation, Scale, Scene, Support};
-use crate::double::Double;
+use super::{Foundation, Scale, Scene, Support};
 
 /// The resultant of all loads.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -80,10 +83,10 @@ pub enum Unheld {
         /// Its magnitude \[force · length\].
         moment: f64,
     },
-    /// The resultant is above the one place about which the beam can turn, on ground that gives.
+    /// The resultant is above the one place about which the beam can turn, on ground or a support that gives.
     #[error(
-        "the loads have their resultant {} at x = {}, above the one place that could carry them alone: on ground that gives no \
-         position is known to be one of rest",
+        "the loads have their resultant {} at x = {}, above the one place that could carry them alone: on what gives no position is \
+         known to be one of rest",
         rounded(*force),
         shown(*at)
     )]
@@ -130,7 +133,7 @@ impl Balance {
     ///
     /// [`Unheld`] if nothing balances the loads.
     pub(super) fn of(scene: &Scene) -> Result<Self, Unheld> {
-        if scene.foundation().is_none() && scene.beam().bearings().is_empty() && scene.beam().is_mechanism() {
+        if scene.foundation().is_none() && pushing(scene).next().is_none() && scene.beam().is_mechanism() {
             let is_held = scene.beam().is_held();
             return if is_held { Err(Unheld::Mechanism) } else { Self::of_supports(scene) };
         }
@@ -139,16 +142,17 @@ impl Balance {
 
     /// The same but for hinges.
     fn of_supports(scene: &Scene) -> Result<Self, Unheld> {
-        match scene.beam().supports() {
-            [] => Self::of_free(scene),
-            [support] if support.slope.is_none() => Self::about(scene, support),
-            _ => Ok(Self::Held),
+        let beam = scene.beam();
+        match beam.holding().next() {
+            None => Self::of_free(scene),
+            Some(support) if !beam.is_held() => Self::about(scene, support),
+            Some(_) => Ok(Self::Held),
         }
     }
 
     /// Without a support that holds.
     fn of_free(scene: &Scene) -> Result<Self, Unheld> {
-        let gives = scene.ground_stiffness().is_some();
+        let springs = scene.ground_stiffness().is_some();
         let Some(ends) = ends(scene) else { return Err(Unheld::NothingCarries) };
         // Positive where the resultant is on the inner side of the left and of the right end.
         let [left, right] = [Sum::of_moments(scene, ends[0]), Sum::of_moments(scene, ends[1]).negated()];
@@ -157,6 +161,9 @@ impl Balance {
         match (left.sign(), right.sign()) {
             // Of one place alone both are of one sign, or none is.
             (Ordering::Equal, Ordering::Equal) if force.sign() == Ordering::Greater => {
+                if gives(scene, ends[0]) {
+                    return Err(Unheld::OnBorder { force: weight, at });
+                }
                 Ok(Self::Neutral { resultant: resultant(scene), about: ends[0] })
             }
             (Ordering::Equal, Ordering::Equal) if force.sign() == Ordering::Less => {
@@ -169,17 +176,18 @@ impl Balance {
                 Err(Unheld::Couple { moment: left.value().abs() })
             }
             (Ordering::Less, _) | (_, Ordering::Less) => Err(overturns(weight, at)),
-            (Ordering::Equal, _) | (_, Ordering::Equal) if gives => Err(Unheld::OnBorder { force: weight, at }),
+            (Ordering::Equal, _) if gives(scene, ends[0]) => Err(Unheld::OnBorder { force: weight, at }),
+            (_, Ordering::Equal) if gives(scene, ends[1]) => Err(Unheld::OnBorder { force: weight, at }),
             (Ordering::Equal, _) => Ok(Self::Neutral { resultant: resultant(scene), about: ends[0] }),
             (_, Ordering::Equal) => Ok(Self::Neutral { resultant: resultant(scene), about: ends[1] }),
             (Ordering::Greater, Ordering::Greater) => {
                 let is_border = |bearing: &&Support| Sum::of_moments(scene, bearing.at).sign() == Ordering::Equal;
-                let turns = |bearing: &Support| !braced(scene, bearing);
-                if gives && scene.beam().bearings().iter().filter(is_border).any(turns) {
+                let turns = |bearing: &Support| gives(scene, bearing.at) && !braced(scene, bearing);
+                if pushing(scene).filter(is_border).any(turns) {
                     return Err(Unheld::OnBorder { force: weight, at });
                 }
                 // Ground that gives carries nothing at a single place.
-                let there = |x: f64| !gives && Sum::of_moments(scene, x).sign() == Ordering::Equal;
+                let there = |x: f64| !springs && Sum::of_moments(scene, x).sign() == Ordering::Equal;
                 let (resultant, about) = (resultant(scene), corner(scene, at, there));
                 Ok(about.map_or(Self::Stands(resultant), |about| Self::Neutral { resultant, about }))
             }
@@ -188,7 +196,7 @@ impl Balance {
 
     /// On one simple support.
     fn about(scene: &Scene, support: &Support) -> Result<Self, Unheld> {
-        let (gives, ends) = (scene.ground_stiffness().is_some(), ends(scene));
+        let (gives, ends) = (gives(scene, support.at), ends(scene));
         let turn = Sum::of_moments(scene, support.at);
         match turn.sign() {
             Ordering::Equal if gives && braced(scene, support) => Ok(Self::Stands(resultant(scene))),
@@ -225,18 +233,32 @@ impl Balance {
 
 /// The outermost places that can carry a beam without supports that hold: its ends on ground, and else supports that push.
 fn ends(scene: &Scene) -> Option<[f64; 2]> {
-    match (scene.foundation(), scene.beam().bearings()) {
-        (Some(_), _) => Some([0.0, scene.beam().length()]),
-        (None, bearings) => Some([bearings.first()?.at, bearings.last()?.at]),
+    if scene.foundation().is_some() {
+        return Some([0.0, scene.beam().length()]);
     }
+    let places = || pushing(scene).map(|support| support.at);
+    let [first, last] = [places().reduce(f64::min)?, places().reduce(f64::max)?];
+    Some([first, last])
+}
+
+/// The supports that only push.
+fn pushing(scene: &Scene) -> impl Iterator<Item = &Support> {
+    scene.beam().bearings().iter().chain(scene.beam().springs().iter().filter(|support| support.pushes_only))
+}
+
+/// Whether what pushes at a place gives: ground, or a support there.
+fn gives(scene: &Scene, at: f64) -> bool {
+    scene.ground_stiffness().is_some() || scene.beam().springs().iter().any(|spring| spring.at.total_cmp(&at).is_eq())
 }
 
 /// Whether a support that only pushes on either side, or an elastic foundation that begins at it or above it, may keep the beam from turning about
 /// a support.
 fn braced(scene: &Scene, about: &Support) -> bool {
-    let bearings = scene.beam().bearings();
-    let is_between = bearings.iter().any(|bearing| bearing.at < about.at) && bearings.iter().any(|b| about.at < b.at);
-    is_between || scene.ground_stiffness().is_some() && scene.depth(about.at) <= about.level
+    let any = |beside: &dyn Fn(&Support) -> bool| pushing(scene).any(beside);
+    let is_between = any(&|bearing| bearing.at < about.at) && any(&|bearing| about.at < bearing.at);
+    is_between
+        || scene.foundation().is_some() && scene.ground_stiffness().is_none()
+        || scene.ground_stiffness().is_some() && scene.depth(about.at) <= about.level
 }
 
 /// The resultant of the loads; its place is no number if they have none.
@@ -283,106 +305,4 @@ fn corner(scene: &Scene, at: f64, there: impl Fn(f64) -> bool) -> Option<f64> {
         return Some(bearing.at);
     }
     profiles.into_iter().flat_map(beside).flatten().find(|&x| inside(x) && there(x) && carries(x))
-}
-
-/// A sum in twice the precision, and how far the rounding of what is given may have moved it.
-#[derive(Debug, Clone, Copy)]
-struct Sum {
-    sum: Double,
-    within: f64,
-}
-
-impl Sum {
-    const NOTHING: Self = Self { sum: Double::ZERO, within: 0.0 };
-
-    /// Half a unit in the last place, as a share; the sums themselves are exact to its square.
-    const ROUNDING: f64 = 0.5 * f64::EPSILON;
-
-    /// `W = ∫q`.
-    fn of_forces(scene: &Scene) -> Self {
-        let (mut sum, load, length) = (Self::NOTHING, scene.load(), scene.beam().length());
-        let (uniform, l) = (Double::exact(load.uniform()), Double::exact(length));
-        sum.add(uniform * l, 2.0 * (uniform * l).rounded().abs());
-        for q in load.linear() {
-            let (mean, width) =
-                (Double::exact(q.start) + Double::exact(q.end), Double::exact(q.to) - Double::exact(q.from));
-            let size = 0.5 * (q.start.abs() + q.end.abs());
-            sum.add(mean * width * Double::exact(0.5), size * (width.rounded() + q.to + q.from));
-        }
-        for Concentrated { at: _, force, couple: _ } in load.concentrated() {
-            sum.add(Double::exact(force), force.abs());
-        }
-        sum
-    }
-
-    /// `∫q (x − c)` with all couples, six times of which is a sum of products.
-    fn of_moments(scene: &Scene, about: f64) -> Self {
-        let (mut sum, load, length) = (Self::NOTHING, scene.load(), scene.beam().length());
-        let (uniform, l, c) = (load.uniform(), Double::exact(length), Double::exact(about));
-        let lever = l - c - c;
-        let size = 3.0 * uniform.abs() * length;
-        sum.add(
-            Double::exact(3.0) * Double::exact(uniform) * l * lever,
-            size * (2.0 * lever.rounded().abs() + length + about),
-        );
-        for q in load.linear() {
-            let (start, end) = (Double::exact(q.start), Double::exact(q.end));
-            let (width, lever) = (Double::exact(q.to) - Double::exact(q.from), Double::exact(q.from) - c);
-            let (places, size) = (q.to + q.from + about, q.start.abs() + q.end.abs());
-            sum.add(
-                Double::exact(3.0) * (start + end) * width * lever + (start + end + end) * width * width,
-                6.0 * size * width.rounded() * (places + width.rounded()),
-            );
-        }
-        for Concentrated { at, force, couple } in load.concentrated() {
-            let lever = Double::exact(at) - c;
-            // A load just above the place has no lever, whatever its last digit.
-            let known = if lever.rounded() == 0.0 { 0.0 } else { lever.rounded().abs() + at + about };
-            let moment = Double::exact(force) * lever + Double::exact(couple);
-            sum.add(Double::exact(6.0) * moment, 6.0 * (force.abs() * known + couple.abs()));
-        }
-        Self { sum: sum.sum * Double::exact(1.0 / 6.0), within: sum.within / 6.0 }
-    }
-
-    /// Adds a term; `size` is that of the numbers of which half a unit in the last place is not known.
-    fn add(&mut self, term: Double, size: f64) {
-        self.sum = self.sum + term;
-        self.within += Self::ROUNDING * size;
-    }
-
-    fn negated(self) -> Self {
-        Self { sum: Double::ZERO - self.sum, ..self }
-    }
-
-    fn value(self) -> f64 {
-        self.sum.rounded()
-    }
-
-    /// The sign, equal to zero where zero cannot be told from it.
-    fn sign(self) -> Ordering {
-        match self.value() {
-            value if value.abs() <= self.within => Ordering::Equal,
-            value => value.total_cmp(&0.0),
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::scene::{Beam, LinearLoad, Load};
-
-    /// Both ends of a part, moved by a unit in their last place, are twice as far off as rounding puts them.
-    #[test]
-    fn the_ends_of_a_load_are_known_but_for_rounding() {
-        let beam = Beam::new(10.0, 1.0).expect("positive");
-        let forces = |from: f64, to: f64| {
-            let part = LinearLoad { from, to, start: 1.0, end: 1.0 };
-            let load = Load::new(&beam, 0.0, vec![part], Vec::new()).expect("finite");
-            Sum::of_forces(&Scene::new(beam.clone(), load, None).expect("finite"))
-        };
-        let (given, moved) = (forces(9.5, 9.75), forces(9.5_f64.next_down(), 9.75_f64.next_up()));
-        let moves = (moved.sum - given.sum).rounded();
-        assert!(0.0 < moves && moves <= 2.0 * given.within && given.within < 2.0 * moves, "{moves} within {given:?}");
-    }
 }

@@ -19,7 +19,9 @@ pub struct Beam {
     supports: Vec<Support>,
     /// Those that only push.
     bearings: Vec<Support>,
-    /// Which of the supports as they were given each of them is, those that hold the beam first.
+    /// Those that give.
+    springs: Vec<Support>,
+    /// Which of the supports as they were given each of them is, those that hold the beam first, then those that only push.
     given: Vec<usize>,
     shape: Option<Arc<Foundation>>,
 }
@@ -35,8 +37,9 @@ impl Beam {
         let length = positive(Quantity::Length, length)?;
         let bending_stiffness = positive(Quantity::BendingStiffness, bending_stiffness)?;
         let supports = vec![Support::simple(0.0), Support::simple(length)];
-        let (steps, joints, bearings) = (Vec::new(), Vec::new(), Vec::new());
-        Ok(Self { length, bending_stiffness, steps, joints, supports, bearings, given: vec![0, 1], shape: None })
+        let (steps, joints, bearings, springs) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let given = vec![0, 1];
+        Ok(Self { length, bending_stiffness, steps, joints, supports, bearings, springs, given, shape: None })
     }
 
     /// The same beam on other supports, in any order; none at all is a beam that merely lies on the ground.
@@ -47,10 +50,12 @@ impl Beam {
     /// corner of the own shape.
     pub fn with_supports(self, supports: Vec<Support>) -> Result<Self, SceneError> {
         let all = sorted(supports, self.length)?;
-        let (push, hold): (Vec<_>, Vec<_>) = all.into_iter().partition(|(_, support)| support.pushes_only);
-        let given = hold.iter().chain(&push).map(|(given, _)| *given).collect();
-        let [supports, bearings] = [hold, push].map(|these| these.into_iter().map(|(_, support)| support).collect());
-        Self { supports, bearings, given, ..self }.with_free_joints()?.with_definite_slopes()
+        let (give, firm): (Vec<_>, Vec<_>) = all.into_iter().partition(|(_, support)| support.stiffness.is_some());
+        let (push, hold): (Vec<_>, Vec<_>) = firm.into_iter().partition(|(_, support)| support.pushes_only);
+        let given = hold.iter().chain(&push).chain(&give).map(|(given, _)| *given).collect();
+        let [supports, bearings, springs] =
+            [hold, push, give].map(|these| these.into_iter().map(|(_, support)| support).collect());
+        Self { supports, bearings, springs, given, ..self }.with_free_joints()?.with_definite_slopes()
     }
 
     /// The same beam with an own shape `w0(x)`, the depth of its axis as long as nothing acts on it, positive downwards: any of
@@ -79,7 +84,8 @@ impl Beam {
     /// A built-in support holds one slope, and so does not stand at a corner of the own shape.
     fn with_definite_slopes(self) -> Result<Self, SceneError> {
         if let Some(shape) = &self.shape {
-            for support in self.supports.iter().filter(|s| s.slope.is_some() && 0.0 < s.at && s.at < self.length) {
+            let inside = |s: &&Support| s.slope.is_some() && 0.0 < s.at && s.at < self.length;
+            for support in self.supports.iter().chain(&self.springs).filter(inside) {
                 let [[_, left], [_, right]] = shape.sides(support.at);
                 if pieces::LEVEL * shape.slope_size(support.at) < (right - left).abs() {
                     return Err(SceneError::CornerAtBuiltIn { at: support.at });
@@ -123,16 +129,21 @@ impl Beam {
         Self { joints, ..self }
     }
 
-    /// What holds it, from left to right, without the supports that only push.
+    /// What holds it at a level, from left to right: without the supports that only push or give.
     #[must_use]
     pub fn supports(&self) -> &[Support] {
         &self.supports
     }
 
-    /// Whether they hold it against moving and turning: two of them, or one that is built in.
+    /// What holds it both ways, at a level or about it.
+    pub(super) fn holding(&self) -> impl Iterator<Item = &Support> {
+        self.supports.iter().chain(self.springs.iter().filter(|support| !support.pushes_only))
+    }
+
+    /// Whether its supports hold it against moving and turning: two of them, or one that holds the slope.
     #[must_use]
     pub fn is_held(&self) -> bool {
-        2 <= self.supports.len() || self.supports.iter().any(|support| support.slope.is_some())
+        2 <= self.holding().count() || self.holding().any(|support| support.slope.is_some())
     }
 
     /// Whether a support at this place carries what stands on it, whatever the beam does.
@@ -147,10 +158,16 @@ impl Beam {
         &self.bearings
     }
 
+    /// The supports that give against sinking, from left to right; some of them may only push.
+    #[must_use]
+    pub fn springs(&self) -> &[Support] {
+        &self.springs
+    }
+
     /// All supports from left to right.
     #[must_use]
     pub fn all_supports(&self) -> Vec<Support> {
-        let mut all = [self.supports(), self.bearings()].concat();
+        let mut all = [self.supports(), self.bearings(), self.springs()].concat();
         all.sort_by(|a, b| a.at.total_cmp(&b.at));
         all
     }
@@ -158,8 +175,8 @@ impl Beam {
     /// The same in the order in which they were given, which the indices of a scene file count.
     #[must_use]
     pub fn supports_as_given(&self) -> Vec<Support> {
-        let mut supports: Vec<(usize, Support)> =
-            self.given.iter().copied().zip(self.supports.iter().chain(&self.bearings).copied()).collect();
+        let all = self.supports.iter().chain(&self.bearings).chain(&self.springs).copied();
+        let mut supports: Vec<(usize, Support)> = self.given.iter().copied().zip(all).collect();
         supports.sort_by_key(|(given, _)| *given);
         supports.into_iter().map(|(_, support)| support).collect()
     }
@@ -182,6 +199,7 @@ impl Beam {
             && self.changes().next().is_none()
             && self.joints.is_empty()
             && self.bearings.is_empty()
+            && self.springs.is_empty()
             && self.supports == [Support::simple(0.0), Support::simple(self.length)]
     }
 
@@ -192,6 +210,9 @@ impl Beam {
             at: pieces::place(s.at / length),
             level: s.level / depth,
             slope: s.slope.map(|slope| slope * (length / depth)),
+            // Its unit is `F/U = E/L³`.
+            stiffness: s.stiffness.map(|k| k * length / stiffness * length * length),
+            turning_stiffness: s.turning_stiffness.map(|k| k / stiffness * length),
             ..*s
         };
         let steps = self.steps.iter().map(|&[at, value]| [pieces::place(at / length), value / stiffness]).collect();
@@ -215,6 +236,7 @@ impl Beam {
             .supports
             .iter()
             .chain(&self.bearings)
+            .chain(&self.springs)
             .map(|s| s.level.abs().max(s.slope.map_or(0.0, |slope| slope.abs() * self.length)));
         levels.fold(self.shape.as_ref().map_or(0.0, |shape| shape.magnitude(self.length)), f64::max)
     }

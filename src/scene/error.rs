@@ -140,8 +140,12 @@ pub enum SceneError {
         /// Where the other one is.
         other: f64,
     },
-    /// A joint where the beam is built in.
-    #[error("`{quantity}` is {}, where a support is `built_in`: it holds the slope on both sides, and nothing turns", shown(*value))]
+    /// A joint where the beam is built in, or a support has a spring against turning.
+    #[error(
+        "`{quantity}` is {}, where a support holds the slope (`built_in` or `turning_stiffness`): give the joint a place beside the \
+         support, on the side on which the beam turns",
+        shown(*value)
+    )]
     JointAtBuiltIn {
         /// Which joint.
         quantity: Quantity,
@@ -216,6 +220,17 @@ pub enum SceneError {
     /// A support that only pushes and in which the beam is built in.
     #[error("the support at x = {} cannot both push only and be built in", shown(*at))]
     PushesBuiltIn {
+        /// Its place.
+        quantity: Quantity,
+        /// Where it is.
+        at: f64,
+    },
+    /// A support that gives and in which the beam is built in.
+    #[error(
+        "the support at x = {} cannot both give (`stiffness`) and be `built_in`: with `turning_stiffness` a spring holds the slope",
+        shown(*at)
+    )]
+    GivesBuiltIn {
         /// Its place.
         quantity: Quantity,
         /// Where it is.
@@ -331,6 +346,7 @@ impl SceneError {
             | Self::JointAtBuiltIn { quantity, .. }
             | Self::CoupleAtJoint { quantity, .. }
             | Self::PushesBuiltIn { quantity, .. }
+            | Self::GivesBuiltIn { quantity, .. }
             | Self::Overflow { quantity, .. } => Some(quantity),
             Self::NoCoefficients { of } | Self::TooFewPoints { of, .. } => {
                 Some(Quantity::Profile(of, ProfileKey::Whole))

@@ -26,6 +26,19 @@ impl Scene {
         Err(SceneError::NotKnown { what, feature })
     }
 
+    /// Whether no support of the beam gives.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::NotKnown`] if one does, naming what asked for it.
+    pub fn is_firm(&self, what: &'static str) -> Result<(), SceneError> {
+        let turns = self.beam.supports().iter().any(|support| support.turning_stiffness.is_some());
+        if turns || !self.beam.springs().is_empty() {
+            return Err(SceneError::NotKnown { what, feature: "supports that give" });
+        }
+        Ok(())
+    }
+
     /// Whether contact forces at nodes, without the lengths over which they act, determine the position of the beam: not if supports do
     /// not hold it, on ground that gives way below each force by an amount that depends on that length.
     ///

@@ -37,7 +37,7 @@ pub use number::PathError;
 pub use quantity::{Profile, ProfileKey, Quantity};
 pub use scale::{Scale, Scaled};
 pub use stiffness::Joint;
-pub use support::{Bearing, Held, Support};
+pub use support::{Bearing, Held, Spring, Support};
 pub(crate) use written::shown;
 
 /// A beam, its loads and the foundation below it, if there is one.

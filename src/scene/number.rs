@@ -127,9 +127,12 @@ impl Scene {
         groups.extend([Quantity::SupportAt, Quantity::SupportLevel].map(|of| Group::each(of, supports)));
         // In the order of the file.
         for (i, support) in self.beam.supports_as_given().into_iter().enumerate() {
-            if support.slope.is_some() {
-                groups.push(Group::one(Quantity::SupportSlope(i)));
-            }
+            let own = [
+                support.slope.map(|_| Quantity::SupportSlope(i)),
+                support.stiffness.map(|_| Quantity::SupportStiffness(i)),
+                support.turning_stiffness.map(|_| Quantity::SupportTurningStiffness(i)),
+            ];
+            groups.extend(own.into_iter().flatten().map(Group::one));
         }
         groups.extend(self.beam.shape().into_iter().flat_map(|shape| groups_of(Profile::Shape, shape)));
         groups.push(Group::one(Quantity::Uniform));
@@ -296,6 +299,8 @@ impl Numbers {
             Quantity::SupportAt(i) => self.supports.get_mut(i).map(|support| &mut support.at),
             Quantity::SupportLevel(i) => self.supports.get_mut(i).map(|support| &mut support.level),
             Quantity::SupportSlope(i) => self.supports.get_mut(i)?.slope.as_mut(),
+            Quantity::SupportStiffness(i) => self.supports.get_mut(i)?.stiffness.as_mut(),
+            Quantity::SupportTurningStiffness(i) => self.supports.get_mut(i)?.turning_stiffness.as_mut(),
             Quantity::Profile(of, key) => {
                 let profile = match of {
                     Profile::Foundation => self.foundation.as_mut()?,

@@ -26,6 +26,8 @@ pub enum Quantity {
     SupportAt(usize),
     SupportLevel(usize),
     SupportSlope(usize),
+    SupportStiffness(usize),
+    SupportTurningStiffness(usize),
     /// All supports of the beam.
     Supports,
     /// A number of a profile.
@@ -92,7 +94,7 @@ pub enum Kind {
     Force,
     /// A force times a length.
     Moment,
-    /// A force per length.
+    /// A force per length: a load that is spread, or the stiffness of a support.
     Intensity,
     /// A slope, or an angle in radians.
     Angle,
@@ -111,9 +113,9 @@ impl Quantity {
         Some(match self {
             Self::BendingStiffness | Self::StepStiffness(_) => Kind::BendingStiffness,
             Self::GroundStiffness => Kind::GroundStiffness,
-            Self::Uniform | Self::LinearStart(_) | Self::LinearEnd(_) => Kind::Intensity,
+            Self::Uniform | Self::LinearStart(_) | Self::LinearEnd(_) | Self::SupportStiffness(_) => Kind::Intensity,
             Self::PointForce(_) => Kind::Force,
-            Self::CoupleMoment(_) | Self::JointStiffness(_) => Kind::Moment,
+            Self::CoupleMoment(_) | Self::JointStiffness(_) | Self::SupportTurningStiffness(_) => Kind::Moment,
             Self::SupportSlope(_) | Self::Profile(_, ProfileKey::Phase) => Kind::Angle,
             Self::Profile(_, ProfileKey::Coefficient(i)) if 0 < i => Kind::Coefficient(i),
             Self::Supports | Self::TotalLoad | Self::Profile(_, ProfileKey::Whole) => return None,
@@ -152,6 +154,8 @@ impl fmt::Display for Quantity {
             Self::SupportAt(i) => write!(f, "beam.supports[{i}].at"),
             Self::SupportLevel(i) => write!(f, "beam.supports[{i}].level"),
             Self::SupportSlope(i) => write!(f, "beam.supports[{i}].slope"),
+            Self::SupportStiffness(i) => write!(f, "beam.supports[{i}].stiffness"),
+            Self::SupportTurningStiffness(i) => write!(f, "beam.supports[{i}].turning_stiffness"),
             Self::Supports => write!(f, "beam.supports"),
             Self::Profile(of, key) => {
                 f.write_str(of.path())?;

@@ -90,12 +90,12 @@ impl Beam {
         Ok(self.joined(joints)).and_then(Self::with_free_joints)
     }
 
-    /// A built-in support holds one slope, and so does not stand at a joint.
+    /// A support that holds the slope holds one, and so does not stand at a joint.
     pub(super) fn with_free_joints(self) -> Result<Self, SceneError> {
         let least = LEAST_DISTANCE * self.length();
         for (i, joint) in self.joints().iter().enumerate() {
             let stands = |at: f64| (at - joint.at).abs() <= least;
-            if self.supports().iter().any(|support| support.slope.is_some() && stands(support.at)) {
+            if self.holding().any(|support| support.slope.is_some() && stands(support.at)) {
                 return Err(SceneError::JointAtBuiltIn { quantity: Quantity::JointAt(i), value: joint.at });
             }
         }
@@ -130,7 +130,7 @@ impl Beam {
             first.into_iter().chain(hinges.iter().map(corner)).collect::<Vec<f64>>()
         };
         let mut rows: Vec<Vec<f64>> = Vec::new();
-        for support in self.supports() {
+        for support in self.holding() {
             let x = support.at / self.length();
             rows.push(line(x, false));
             rows.extend(support.slope.map(|_| line(x, true)));

@@ -11,9 +11,16 @@
 //! A support that only pushes is a [`Bearing`]: one more place where the beam may touch, a point of the obstacle that stands alone
 //! above the ground, or over nothing.
 //!
+//! Supports that give take a deflection or a turn to press:
+//!
+//! ```text
+//! spring, at x_s          R = k_s (w0 + v − level)        of either sign; one that only pushes has R ≥ 0, and lets the beam lift off
+//! turning spring          M jumps by −k_t (w0' + v' − slope)
+//! ```
+//!
 //! So methods, theory and certificate need `g`, `d_s` and `φ_s`, and neither `u` nor `w0`.
 
-use super::error::{SceneError, finite, on_beam};
+use super::error::{SceneError, finite, on_beam, positive};
 use super::pieces;
 use super::quantity::Quantity;
 use super::{Beam, Foundation, Scene};
@@ -31,13 +38,18 @@ pub struct Support {
     pub slope: Option<f64>,
     /// True for a bearing without hold-down, above which there may be play. It holds no slope.
     pub pushes_only: bool,
+    /// How stiff it is against sinking from its level, `k_s` \[force / length\]; [`None`] for one that holds the level.
+    pub stiffness: Option<f64>,
+    /// How stiff it is against turning from its slope, `k_t` \[force · length\]; [`None`] for one that is built in, or leaves the slope
+    /// free.
+    pub turning_stiffness: Option<f64>,
 }
 
 impl Support {
     /// A simple support at level 0.
     #[must_use]
     pub fn simple(at: f64) -> Self {
-        Self { at, level: 0.0, slope: None, pushes_only: false }
+        Self { at, level: 0.0, slope: None, pushes_only: false, stiffness: None, turning_stiffness: None }
     }
 
     /// A support at level 0 that only pushes.
@@ -50,6 +62,24 @@ impl Support {
     #[must_use]
     pub fn built_in(at: f64) -> Self {
         Self { slope: Some(0.0), ..Self::simple(at) }
+    }
+
+    /// A spring of the stiffness `k_s` without force at level 0 \[force / length\].
+    #[must_use]
+    pub fn spring(at: f64, stiffness: f64) -> Self {
+        Self { stiffness: Some(stiffness), ..Self::simple(at) }
+    }
+
+    /// The same support with a spring of the stiffness `k_t` against turning from a slope \[force · length\].
+    #[must_use]
+    pub fn turning(self, turning_stiffness: f64, slope: f64) -> Self {
+        Self { slope: Some(slope), turning_stiffness: Some(turning_stiffness), ..self }
+    }
+
+    /// True if the beam is built in: the support holds its slope, and gives nothing.
+    #[must_use]
+    pub fn is_built_in(&self) -> bool {
+        self.slope.is_some() && self.turning_stiffness.is_none()
     }
 
     /// The same support at another level \[length\].
@@ -68,10 +98,27 @@ pub struct Held {
     pub deflection: f64,
     /// `v'(x_s) = φ_s = slope − w0'(x_s)` where the beam is built in.
     pub slope: Option<f64>,
+    /// `k_t` and `φ_s` of a spring against turning \[force · length, –\].
+    pub turning: Option<[f64; 2]>,
     /// True if there is ground to the left and to the right of it that starts at its level, up to the rounding of its depth there.
     pub at_level: [bool; 2],
     /// The same of ground that starts in its direction besides where the beam is built in, so that the beam can follow it.
     pub tangent: [bool; 2],
+}
+
+/// A support that gives, as all methods use it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spring {
+    /// Where, `x_s` \[length\].
+    pub at: f64,
+    /// `k_s` in `R = k_s (v − d_s)` \[force / length\].
+    pub stiffness: f64,
+    /// `d_s = level − w0(x_s)` \[length\].
+    pub deflection: f64,
+    /// `k_t` and `φ_s = slope − w0'(x_s)` of a spring against turning besides \[force · length, –\].
+    pub turning: Option<[f64; 2]>,
+    /// True if it lets the beam lift off.
+    pub pushes_only: bool,
 }
 
 /// A support that only pushes, as all methods use it: `v(x_s) ≤ d_s`, like ground.
@@ -90,13 +137,26 @@ pub(super) const LEAST_DISTANCE: f64 = f64::EPSILON / 1e-6;
 
 /// `supports` from left to right, each with its index in the list as it is given, which errors have too; checked for a beam of
 /// this length.
-pub(super) fn sorted(supports: Vec<Support>, length: f64) -> Result<Vec<(usize, Support)>, SceneError> {
-    for (i, support) in supports.iter().enumerate() {
+pub(super) fn sorted(mut supports: Vec<Support>, length: f64) -> Result<Vec<(usize, Support)>, SceneError> {
+    for (i, support) in supports.iter_mut().enumerate() {
         on_beam(Quantity::SupportAt(i), support.at, length)?;
         finite(Quantity::SupportLevel(i), support.level)?;
         finite(Quantity::SupportSlope(i), support.slope.unwrap_or(0.0))?;
         if support.pushes_only && support.slope.is_some() {
             return Err(SceneError::PushesBuiltIn { quantity: Quantity::SupportAt(i), at: support.at });
+        }
+        let springs = [
+            support.stiffness.map(|k| positive(Quantity::SupportStiffness(i), k)),
+            support.turning_stiffness.map(|k| positive(Quantity::SupportTurningStiffness(i), k)),
+        ];
+        for spring in springs.into_iter().flatten() {
+            spring?;
+        }
+        if support.stiffness.is_some() && support.is_built_in() {
+            return Err(SceneError::GivesBuiltIn { quantity: Quantity::SupportAt(i), at: support.at });
+        }
+        if support.turning_stiffness.is_some() {
+            support.slope.get_or_insert(0.0);
         }
     }
     let mut sorted: Vec<(usize, Support)> = supports.into_iter().enumerate().collect();
@@ -118,7 +178,8 @@ impl Foundation {
     /// which it is built in, nor on both sides of a simple one.
     pub(super) fn check_at_supports(&self, beam: &Beam) -> Result<(), SceneError> {
         let length = beam.length();
-        for &Support { at, level, slope, pushes_only } in beam.supports().iter().chain(beam.bearings()) {
+        for support in beam.supports().iter().chain(beam.bearings()) {
+            let &Support { at, level, slope, pushes_only, .. } = support;
             let depth = self.depth(at);
             let within = self.level_within(at, length);
             if pushes_only {
@@ -132,7 +193,7 @@ impl Foundation {
             }
             let inside = 0.0 < at && at < length;
             let (sides, own) = (self.sides(at), beam.shape().map_or([[0.0; 2]; 2], |own| own.sides(at)));
-            let Some(held) = slope else {
+            let Some(held) = slope.filter(|_| support.is_built_in()) else {
                 let slopes = [0, 1].map(|side| sides[side][1] - own[side][1]);
                 let own_size = beam.shape().map_or(0.0, |own| own.slope_size(at));
                 let rounding = pieces::LEVEL * (self.slope_size(at) + own_size);
@@ -162,6 +223,15 @@ impl Scene {
         self.beam().supports().iter().map(|support| self.held_by(support)).collect()
     }
 
+    /// The supports that give, from left to right.
+    pub fn springs(&self) -> impl Iterator<Item = Spring> + '_ {
+        self.beam().springs().iter().map(|support| {
+            let &Support { at, pushes_only, stiffness, .. } = support;
+            let Held { deflection, turning, .. } = self.held_by(support);
+            Spring { at, stiffness: stiffness.unwrap_or(0.0), deflection, turning, pushes_only }
+        })
+    }
+
     /// Where the beam may touch supports that only push, from left to right.
     pub fn bearings(&self) -> impl Iterator<Item = Bearing> + '_ {
         let own = |at: f64| self.beam().shape().map_or(0.0, |shape| shape.depth(at));
@@ -176,7 +246,9 @@ impl Scene {
         self.depth(support.at) < support.level
     }
 
-    fn held_by(&self, &Support { at, level, slope, .. }: &Support) -> Held {
+    fn held_by(&self, support: &Support) -> Held {
+        let &Support { at, level, .. } = support;
+        let slope = support.slope.filter(|_| support.is_built_in());
         let [own, turn] =
             self.beam().shape().map_or([0.0; 2], |shape| shape.sides(at)[usize::from(at < self.beam().length())]);
         let [at_level, tangent] = self.foundation().map_or([[false; 2]; 2], |foundation| {
@@ -195,6 +267,7 @@ impl Scene {
             let at_level = [!first && (left - level).abs() <= within, !last && (right - level).abs() <= within];
             [at_level, [at_level[0] && along[0], at_level[1] && along[1]]]
         });
-        Held { at, deflection: level - own, slope: slope.map(|slope| slope - turn), at_level, tangent }
+        let turning = support.turning_stiffness.zip(support.slope).map(|(k, slope)| [k, slope - turn]);
+        Held { at, deflection: level - own, slope: slope.map(|slope| slope - turn), turning, at_level, tangent }
     }
 }

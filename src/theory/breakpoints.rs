@@ -2,8 +2,8 @@
 
 use super::gauss::Gauss;
 use super::piecewise::{AtSupport, Breakpoint, Cell, PiecewiseScene};
+use super::pull::pulling_stretches;
 use super::shape::Shape;
-use super::tension::tension_intervals;
 use crate::scene::pieces::without_collinear_points;
 use crate::scene::{Beam, Bearing, Concentrated, Foundation, Held, Load, Scene, polynomial};
 
@@ -71,9 +71,9 @@ impl PiecewiseScene {
             bearings: at,
             free_ends: [0.0, length].map(|end| scene.beam().supports().iter().all(|s| s.at < end || end < s.at)),
             supports: scene.held().iter().map(|held| at_support(foundation, own, length, &places, held)).collect(),
-            tension: Vec::new(),
+            pulling: Vec::new(),
         };
-        given.tension = tension_intervals(&given);
+        given.pulling = pulling_stretches(&given);
         given.total_load = load_between_supports(&given);
         for i in 0..given.supports.len() {
             let AtSupport { breakpoint, level, slope, tangent, .. } = given.supports[i];

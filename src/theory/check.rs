@@ -1,4 +1,4 @@
-//! The check of all conditions, everywhere: no penetration, no tension, and the equations of the list.
+//! The check of all conditions, everywhere: no penetration, no pull, and the equations of the list.
 
 use super::forces::{force_beside, forces, moments, pulling_couple, unbalanced};
 use super::list::{List, Node, Unknown, Zone};
@@ -6,9 +6,9 @@ use super::newton;
 use super::penetration::deepest;
 use super::piece::{Piece, derivatives, pieces_of, pieces_of_zone};
 use super::piecewise::PiecewiseScene;
+use super::pull::mean_pull;
 use super::sensitivity::ends;
 use super::span::{EndCondition, Span};
-use super::tension::mean_pull;
 use super::violation::Violation;
 use crate::certificate::CERTIFIED_RESIDUAL;
 
@@ -96,7 +96,7 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Check {
     // A NaN is no force that presses.
     let presses = |node: &Node, force: f64| node.support(given).is_some() || 0.0 <= force;
     for (i, (node, &force)) in list.nodes.iter().zip(&forces).enumerate().filter(|(_, (n, f))| !presses(n, **f)) {
-        let pulls = Violation::Tension { at: node.x, force: -force };
+        let pulls = Violation::Pull { at: node.x, force: -force };
         let most = if resolved { force_beside(&spans, i).max(AT_REST * given.total_load) } else { scale.force };
         judge.measure(-force, most, i, pulls);
     }
@@ -267,12 +267,12 @@ impl Judge {
         }
     }
 
-    /// A zone pulls nowhere; where it might is known ([`PiecewiseScene::tension`]). Pressure is a share of the load on the beam.
+    /// A zone pulls nowhere; where it might is known ([`PiecewiseScene::pulling`]). Pressure is a share of the load on the beam.
     fn pulls(&mut self, given: &PiecewiseScene, Zone { node, from, to }: Zone) {
-        for &(lo, hi) in given.tension_between(from, to) {
+        for &(lo, hi) in given.pulling_between(from, to) {
             let (lo, hi) = (lo.max(from), hi.min(to));
             let pull = mean_pull(given, lo, hi);
-            self.measure(pull, given.total_load / given.length, node, Violation::Pull { from: lo, to: hi });
+            self.measure(pull, given.total_load / given.length, node, Violation::PullAlong { from: lo, to: hi });
         }
     }
 

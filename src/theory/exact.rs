@@ -94,7 +94,7 @@ impl Exact {
             scale,
             stiffness,
         };
-        // What is no solution shows the forces that its list has, tension among them.
+        // What is no solution shows the forces that its list has, those that pull among them.
         if solved { exact.with_touches(&nothing) } else { exact }
     }
 
@@ -181,7 +181,7 @@ impl Exact {
         if let Some(springs) = &self.springs {
             return springs.clearance_extremes([from / length, to / length]).in_units(depth, length);
         }
-        summary::clearance_extremes(&self.given, self.parts_between(from, to).iter()).in_units(depth, length)
+        summary::clearance_extremes(&self.given, &self.pieces_between(from, to)).in_units(depth, length)
     }
 
     /// The greatest and the least moment from `from` to `to`, each an end of the beam or of a contact \[force · length\].
@@ -190,28 +190,34 @@ impl Exact {
         let Scale { length, .. } = self.scale;
         let bent = match &self.springs {
             Some(springs) => springs.bend_extremes([from / length, to / length]),
-            None => summary::bend_extremes(&self.given, &self.parts_between(from, to)),
+            None => summary::bend_extremes(&self.given, &self.pieces_between(from, to)),
         };
         bent.in_units(self.stiffness * self.scale.moment(), length)
     }
 
-    /// The parts of the beam, each in one cell, from `from` to `to`, in the units of the scene.
-    fn parts_between(&self, from: f64, to: f64) -> Vec<Piece> {
+    /// The pieces of the beam from `from` to `to`, in the units of the scene; of one that reaches beyond, its cells inside.
+    fn pieces_between(&self, from: f64, to: f64) -> Vec<Piece> {
         let [from, to] = [from, to].map(|x| x / self.scale.length);
         let inside = |piece: &Piece| {
             let middle = 0.5 * (piece.lo + piece.hi);
             from <= middle && middle <= to
         };
         let first = self.pieces.partition_point(|piece| piece.hi < from);
-        let mut parts = Vec::new();
+        let mut pieces = Vec::new();
         for piece in self.pieces[first..].iter().take_while(|piece| piece.lo <= to) {
-            let start = parts.len();
-            parts.extend(piece.parts(&self.given).filter(inside));
+            // Places in the units of the scene are those of pieces but for rounding.
+            let ends = [0, piece.count() - 1].map(|k| piece.part(&self.given, k, k));
+            if ends.iter().all(inside) {
+                pieces.push(*piece);
+                continue;
+            }
+            let start = pieces.len();
+            pieces.extend(piece.parts(&self.given).filter(inside));
             if !piece.is_from_the_left() {
-                parts[start..].reverse();
+                pieces[start..].reverse();
             }
         }
-        parts
+        pieces
     }
 
     /// Contact pressure `p = q − EI u''''` inside a zone, zero outside; without concentrated forces \[force / length\].

@@ -11,7 +11,7 @@ use super::chain::{Chain, ChainSample, Guess};
 use super::list::{List, Node};
 use super::normal::{edge_node, merged};
 use super::piecewise::{Breakpoint, PiecewiseScene};
-use super::tension::zones_between;
+use super::pull::zones_between;
 
 /// Sampled places of the profile, from end to end.
 #[derive(Debug, Clone)]
@@ -90,7 +90,7 @@ impl Samples {
             let around = [i.saturating_sub(1), (i + 2).min(n - 1)];
             let interior = (around[0]..=around[1]).all(touching)
                 && !coarse(i)
-                && given.tension_between(self.x[around[0]], self.x[around[1]]).next().is_none()
+                && given.pulling_between(self.x[around[0]], self.x[around[1]]).next().is_none()
                 && [i, i + 1]
                     .iter()
                     .all(|&j| given.cells[self.cell[j]].lo < self.x[j] || !given.breaks_at(self.cell[j]));

@@ -54,10 +54,10 @@ pub(super) fn violated_conditions(
     };
     for &(i, fault) in &checked.faults {
         match fault {
-            Violation::Tension { .. } => add(Condition::Presses(i)),
+            Violation::Pull { .. } => add(Condition::Presses(i)),
             Violation::CurvatureGap { .. } => add(Condition::Bends(i)),
             Violation::Inverted { .. } => add(Condition::Length(i)),
-            Violation::Pull { .. } => add(Condition::ZonePresses(i)),
+            Violation::PullAlong { .. } => add(Condition::ZonePresses(i)),
             Violation::Couple { .. } => add(Condition::Couple(i)),
             Violation::Penetration { at, .. } => {
                 let Some((_, span)) = checked.spans.iter().find(|(j, span)| *j == i && at <= span.b.x) else {
@@ -152,7 +152,7 @@ impl Condition {
                 let outside = |&(lo, hi): &(f64, f64)| {
                     if lo < hi { from.max(lo) - to.min(hi) } else { (from - lo).max(hi - to) }
                 };
-                given.tension.iter().map(outside).reduce(f64::min)
+                given.pulling.iter().map(outside).reduce(f64::min)
             }
             Condition::Stays(node) => {
                 let node = list.nodes.get(node)?;

@@ -5,7 +5,7 @@
 //! It is held by its nodes: supports and contacts, in one list from left to right. Unknown are only the places where it lifts off,
 //! and its slopes at inner supports and edges:
 //!
-//! 1. `piecewise`, `breakpoints`, `shape`, `tension`: profile and load as functions by pieces, and where a zone would pull.
+//! 1. `piecewise`, `breakpoints`, `shape`, `pull`: profile and load as functions by pieces, and where a zone would pull.
 //! 2. `chain`, `guess`, `resting`: a first idea of the list, from a chain of links above samples of the profile, or from where a rigid
 //!    beam rests.
 //! 3. `list`, `span`, `cosine`, `newton`: the equations of a list and Newton's method for them.
@@ -49,6 +49,7 @@ mod pattern;
 mod penetration;
 mod piece;
 mod piecewise;
+mod pull;
 mod repair;
 mod resting;
 mod room;
@@ -60,7 +61,6 @@ mod span;
 mod spread;
 mod springs;
 mod summary;
-mod tension;
 mod touching;
 mod tridiagonal;
 mod violation;

@@ -120,10 +120,11 @@ fn equations(given: &PiecewiseScene, list: &List, spans: impl Iterator<Item = (u
     };
     let mut rows: Vec<Row> = list.nodes.iter().enumerate().map(row).collect();
     let mut first = None;
-    for (right, span) in spans {
+    // Inside the iterator: its state is large, and would be moved for each span.
+    spans.for_each(|(right, span)| {
         let start = *first.get_or_insert(span);
         if span.b.hold == EndCondition::Within {
-            continue;
+            return;
         }
         first = None;
         let left = right.checked_sub(1);
@@ -139,7 +140,7 @@ fn equations(given: &PiecewiseScene, list: &List, spans: impl Iterator<Item = (u
             rows[right].derivative[1] += at_b[1];
             rows[right].jump += side(given, list, right, &span.at_b, &span.beam_b);
         }
-    }
+    });
     rows
 }
 
@@ -249,9 +250,9 @@ fn apply(given: &PiecewiseScene, list: &mut List, rows: &[Row], brackets: &mut [
         let (mut lo, mut hi) = given.reach(node.cell);
         let x = node.x;
         if node.starts_zone() {
-            lo = lo.max(given.next_tension(x)[0]);
+            lo = lo.max(given.next_pulling(x)[0]);
         } else if node.ends_zone() {
-            hi = hi.min(given.next_tension(x)[1]);
+            hi = hi.min(given.next_pulling(x)[1]);
         }
         // Most of the way to a break of the profile, which is no place for a contact of this kind.
         (lo, hi) = (x + 0.9 * (lo - x), x + 0.9 * (hi - x));

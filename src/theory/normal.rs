@@ -86,7 +86,7 @@ impl Normal<'_> {
             && let Some(last) = self.nodes.last_mut()
             && last.can_move()
             && given.cells[last.cell].shape == given.cells[node.cell].shape
-            && given.tension_between(last.x, node.x).next().is_none()
+            && given.pulling_between(last.x, node.x).next().is_none()
         {
             let ends = !node.lies && last.x < node.x;
             if last.ends_zone() {

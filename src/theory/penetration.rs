@@ -1,6 +1,8 @@
 //! Where the beam is deepest in the ground: cell by cell beside a contact, and farther away over many cells of straight ground at
 //! once, which are clear if the beam reaches nowhere as deep as their shallowest point.
 
+use std::ops::RangeInclusive;
+
 use super::bernstein::{lowest_below, range};
 use super::piece::{NEAR, Piece, derivatives};
 use super::piecewise::PiecewiseScene;
@@ -117,13 +119,36 @@ fn in_cell(given: &PiecewiseScene, part: &Piece, span: &Span, allowed: f64, tayl
 
 /// True if the beam reaches nowhere deeper than some depth below the shallowest point of the straight ground below a piece.
 pub(super) fn is_clear(given: &PiecewiseScene, piece: &Piece, depth: f64, taylor: &mut [f64]) -> bool {
+    let shallowest = given.breakpoints[below(piece)].iter().fold(f64::INFINITY, |least, j| least.min(j.depth));
+    beam_range(given, piece, taylor).is_some_and(|[_, most]| most <= shallowest + depth)
+}
+
+/// Between which values the clearance of a piece over straight ground lies, those of both sides of a step among them; [`None`] where a
+/// support that only pushes stands above it.
+pub(super) fn clearance_range(given: &PiecewiseScene, piece: &Piece, taylor: &mut [f64]) -> Option<[f64; 2]> {
+    let below = below(piece);
+    let next_bearing = given.bearings[given.bearings.partition_point(|i| i < below.start())..].first();
+    if next_bearing.is_some_and(|i| below.contains(i)) {
+        return None;
+    }
+    let [shallowest, deepest] =
+        given.breakpoints[below].iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], j| {
+            [least.min(j.depth), most.max(j.depth + j.step.abs())]
+        });
+    beam_range(given, piece, taylor).map(|[least, most]| [shallowest - most, deepest - least])
+}
+
+/// Between which values the deflection of a piece lies.
+fn beam_range(given: &PiecewiseScene, piece: &Piece, taylor: &mut [f64]) -> Option<[f64; 2]> {
     piece.deflection(given, taylor);
     piece.outwards(taylor);
+    range(taylor, piece.width())
+}
+
+/// The breakpoints of the cells of a piece.
+fn below(piece: &Piece) -> RangeInclusive<usize> {
     let [one, other] = [piece.nth(0), piece.nth(piece.count() - 1)];
-    let shallowest = given.breakpoints[one.min(other)..=one.max(other) + 1]
-        .iter()
-        .fold(f64::INFINITY, |least, j| least.min(j.depth));
-    range(taylor, piece.width()).is_some_and(|[_, most]| most <= shallowest + depth)
+    one.min(other)..=one.max(other) + 1
 }
 
 #[cfg(test)]

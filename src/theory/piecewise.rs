@@ -121,7 +121,7 @@ pub(super) struct PiecewiseScene {
     pub(super) free_ends: [bool; 2],
     /// Stretches in which a zone of contact would pull at the beam, from left to right; a point load that does so is one
     /// without length.
-    pub(super) tension: Vec<(f64, f64)>,
+    pub(super) pulling: Vec<(f64, f64)>,
 }
 
 impl PiecewiseScene {

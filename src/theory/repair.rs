@@ -19,7 +19,7 @@ pub(super) fn repaired(given: &PiecewiseScene, list: &List, checked: &Check, fau
     for &(i, fault) in faults {
         match fault {
             Violation::Inverted { .. } => (repair.keep[i], repair.keep[i + 1]) = (false, false),
-            Violation::Tension { .. } => repair.tension(i),
+            Violation::Pull { .. } => repair.pull(i),
             Violation::CurvatureGap { .. } => repair.curvature_gap(i),
             Violation::Unresolved { .. } => repair.unresolved(i),
             Violation::Jump { .. } => repair.lift_tip(i),
@@ -55,7 +55,7 @@ struct Repair<'a> {
 
 impl Repair<'_> {
     /// A point that pulls goes. The end of a zone moves by itself when others have changed.
-    fn tension(&mut self, i: usize) {
+    fn pull(&mut self, i: usize) {
         if self.list.nodes[i].is_tip(self.given) {
             self.lift_tip(i);
         } else if !self.list.nodes[i].is_of_zone() {
@@ -69,7 +69,7 @@ impl Repair<'_> {
         if let Some(index) = self.list.nodes[i].support(self.given) {
             return self.bulge_at_support(i, index);
         }
-        if !self.keep[i] || self.given.tension_between(x, x).next().is_some() {
+        if !self.keep[i] || self.given.pulling_between(x, x).next().is_some() {
             return;
         }
         self.keep[i] = false;
@@ -102,7 +102,7 @@ impl Repair<'_> {
             let reach = if 0.0 < turns { turns.min(most) } else { most };
             let place = x + outwards * reach;
             let cell = given.cell_from(place);
-            if given.tension_between(x.min(place), x.max(place)).next().is_some() {
+            if given.pulling_between(x.min(place), x.max(place)).next().is_some() {
                 self.added.push(Node::touch(x + 2.0 * outwards * reach, cell));
             } else if side == 0 {
                 self.added.push(Node::start(place, cell));

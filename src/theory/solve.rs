@@ -75,6 +75,7 @@ pub fn solve(scene: &Scene) -> Result<Exact, TheoryError> {
 ///
 /// Those of [`solve`].
 pub fn solve_near(scene: &Scene, near: &[&Exact]) -> Result<Exact, TheoryError> {
+    scene.is_firm("the exact solution")?;
     let scaled = scene.scaled()?;
     let foundation = scaled.scene.foundation();
     let own = scaled.scene.beam().shape().filter(|_| foundation.is_some());

@@ -4,7 +4,8 @@ use super::bernstein::{range, sign_changes};
 use super::check::PLACE;
 use super::forces::zone_force;
 use super::list::List;
-use super::piece::{Piece, derivatives};
+use super::penetration::{by_blocks, clearance_range};
+use super::piece::{NEAR, Piece, derivatives};
 use super::piecewise::PiecewiseScene;
 use super::search::Candidate;
 use crate::state::{Contact, ContactState, Extremes, Reactions, Regime, SupportForce, larger_moment};
@@ -147,19 +148,15 @@ fn extremes(given: &PiecewiseScene, pieces: &[Piece]) -> (Extremes, Extremes) {
     (Extremes::of(first.iter().copied()), Extremes::of(second.iter().copied()))
 }
 
-/// Extremes of the clearance over some of the pieces, from left to right: at a step the values of both sides count.
-pub(super) fn clearance_extremes<'a>(
-    given: &PiecewiseScene,
-    pieces: impl Iterator<Item = &'a Piece> + Clone,
-) -> Extremes {
+/// Extremes of the clearance over some of the pieces, from left to right: at a step the values of both sides count. Over straight ground
+/// only cells are looked at in which it may go beyond what is found before and at the ends of all pieces.
+pub(super) fn clearance_extremes(given: &PiecewiseScene, pieces: &[Piece]) -> Extremes {
     let mut taylor = vec![0.0; given.terms];
-    let mut ends = [f64::INFINITY, f64::NEG_INFINITY];
-    for piece in pieces.clone() {
+    let mut found = [f64::INFINITY, f64::NEG_INFINITY];
+    for piece in pieces {
         piece.clearance(given, &mut taylor);
-        for x in [piece.lo, piece.hi] {
-            let [h, ..] = derivatives(&taylor, x - piece.anchor);
-            ends = [ends[0].min(h), ends[1].max(h)];
-        }
+        let [h, ..] = derivatives(&taylor, 0.0);
+        found = [found[0].min(h), found[1].max(h)];
     }
     let mut values = Vec::new();
     for piece in pieces {
@@ -167,18 +164,27 @@ pub(super) fn clearance_extremes<'a>(
             values.extend([(piece.lo, 0.0), (piece.hi, 0.0)]);
             continue;
         }
-        piece.clearance(given, &mut taylor);
-        piece.outwards(&mut taylor);
-        add_extremes(piece, &taylor, ends, &mut values);
+        by_blocks(given, piece, NEAR + 1, |part| {
+            if 1 < part.count() {
+                let Some([least, most]) = clearance_range(given, part, &mut taylor) else { return false };
+                return found[0] < least && most < found[1];
+            }
+            part.clearance(given, &mut taylor);
+            part.outwards(&mut taylor);
+            let before = values.len();
+            add_extremes(part, &taylor, found, &mut values);
+            found = values[before..].iter().fold(found, |[least, most], (_, h)| [least.min(*h), most.max(*h)]);
+            true
+        });
     }
     Extremes::of(values.iter().copied())
 }
 
-/// Extremes of `−v''` over some parts of the beam, from left to right.
-pub(super) fn bend_extremes(given: &PiecewiseScene, parts: &[Piece]) -> Extremes {
+/// Extremes of `−v''` over some pieces of the beam, from left to right.
+pub(super) fn bend_extremes(given: &PiecewiseScene, pieces: &[Piece]) -> Extremes {
     let mut taylor = vec![0.0; given.terms];
     let mut values = Vec::new();
-    for piece in parts {
+    for piece in pieces {
         piece.deflection(given, &mut taylor);
         piece.outwards(&mut taylor);
         let bend = differentiated(differentiated(&mut taylor));

@@ -15,7 +15,7 @@ pub enum Violation {
     },
     /// A contact pulls.
     #[error("the contact at x = {at:?} pulls with a force of {force:?}")]
-    Tension {
+    Pull {
         /// Where \[length\].
         at: f64,
         /// How much, positive \[force\].
@@ -31,7 +31,7 @@ pub enum Violation {
     },
     /// A zone has negative pressure.
     #[error("the foundation pulls between x = {from:?} and x = {to:?}")]
-    Pull {
+    PullAlong {
         /// From where \[length\].
         from: f64,
         /// To where \[length\].
@@ -100,9 +100,9 @@ impl Violation {
         let moment = |m: f64| m * stiffness * scale.moment();
         match self {
             Self::Penetration { at, depth } => Self::Penetration { at: place(at), depth: depth * scale.depth },
-            Self::Tension { at, force: pull } => Self::Tension { at: place(at), force: force(pull) },
+            Self::Pull { at, force: pull } => Self::Pull { at: place(at), force: force(pull) },
             Self::CurvatureGap { at, moment: lack } => Self::CurvatureGap { at: place(at), moment: moment(lack) },
-            Self::Pull { from, to } => Self::Pull { from: place(from), to: place(to) },
+            Self::PullAlong { from, to } => Self::PullAlong { from: place(from), to: place(to) },
             Self::Broken { at } => Self::Broken { at: place(at) },
             Self::Inverted { from, to } => Self::Inverted { from: place(from), to: place(to) },
             Self::Couple { at, moment: couple } => Self::Couple { at: place(at), moment: moment(couple) },
@@ -118,10 +118,10 @@ impl Violation {
     pub(super) fn place(self) -> Option<f64> {
         match self {
             Self::Penetration { at, .. }
-            | Self::Tension { at, .. }
+            | Self::Pull { at, .. }
             | Self::CurvatureGap { at, .. }
             | Self::OffPiece { at } => Some(at),
-            Self::Pull { from, .. } | Self::Inverted { from, .. } => Some(from),
+            Self::PullAlong { from, .. } | Self::Inverted { from, .. } => Some(from),
             _ => None,
         }
     }

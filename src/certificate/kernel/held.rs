@@ -6,7 +6,7 @@ use super::distance::factor;
 use super::interval::Interval;
 use super::load::cells;
 use super::polynomial::number;
-use super::pressing::TensionCutOff;
+use super::pressing::PullCutOff;
 use super::proof::{Pair, Piece};
 use super::reference::{Datum, Line};
 
@@ -28,7 +28,7 @@ pub(super) fn held_by(
     turns_about: Option<f64>,
     mut carriers: Vec<Datum>,
     pieces: &[Piece],
-    cut_off: &TensionCutOff,
+    cut_off: &PullCutOff,
     gap_of: impl Fn([Interval; 2], f64) -> f64,
 ) -> Option<(f64, Interval, Vec<Line>)> {
     let fixed = enclosed.supports.iter().filter(|s| s.is_fixed).map(|s| s.x);

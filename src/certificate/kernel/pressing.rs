@@ -8,12 +8,12 @@ use super::reference::{Line, OUTWARDS, near};
 
 /// What was cut off of the contact load: forces and couples on parts of the beam, all as magnitudes.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct TensionCutOff {
+pub(crate) struct PullCutOff {
     /// Part, force, couple.
     pub(super) pulls: Vec<([f64; 2], f64, f64)>,
 }
 
-impl TensionCutOff {
+impl PullCutOff {
     /// A concentrated force, cut off as far as it may be negative.
     pub(crate) fn force(&mut self, x: f64, force: Interval) {
         if force.lo() < 0.0 {
@@ -69,7 +69,7 @@ pub(crate) fn pressure(enclosed: &EnclosedScene<'_>, origin: f64, cell: [f64; 2]
 }
 
 /// A zone, as pieces: the beam on the foundation all the way between two places, if it can lie there; and what pulls.
-pub(crate) fn zone(enclosed: &EnclosedScene<'_>, ends: [f64; 2], cut_off: &mut TensionCutOff) -> Option<Vec<Piece>> {
+pub(crate) fn zone(enclosed: &EnclosedScene<'_>, ends: [f64; 2], cut_off: &mut PullCutOff) -> Option<Vec<Piece>> {
     let [from, to] = ends;
     enclosed.gap.is_smooth_between(from, to).then_some(())?;
     for x in enclosed.breaks(from, to) {

@@ -29,7 +29,7 @@ use super::contact_node::{ContactNode, EnclosedScene, Slope};
 use super::held::{carriers, held_by};
 use super::interval::Interval;
 use super::polynomial::{Polynomial, number};
-use super::pressing::{self, TensionCutOff};
+use super::pressing::{self, PullCutOff};
 use super::reference::Line;
 use super::span::Span;
 
@@ -77,7 +77,7 @@ pub(crate) struct Sprung {
     pub(crate) stiffness: Interval,
     /// `½∫ k (v̂ − g)₊²`.
     pub(crate) energy: Interval,
-    /// `M(from + s)` of the pair before tension is cut off, by parts from left to right: in balance with the loads but for supports.
+    /// `M(from + s)` of the pair before pulls are cut off, by parts from left to right: in balance with the loads but for supports.
     pub(crate) moments: Vec<([f64; 2], Polynomial)>,
 }
 
@@ -91,7 +91,7 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
     let moments: Vec<_> = (0..nodes.len()).map(|i| moments(enclosed, nodes, &spans, i)).collect();
     let mut gap = Interval::ZERO;
     let (mut lifts, mut lifted) = (Interval::ZERO, 0.0_f64);
-    let mut cut_off = TensionCutOff::default();
+    let mut cut_off = PullCutOff::default();
     let mut shears = vec![[Interval::ZERO; 2]; spans.len()];
     let mut pieces = Vec::new();
     for (i, span) in spans.iter().enumerate() {

@@ -28,7 +28,7 @@ use super::contact_node::EnclosedScene;
 use super::held::lines;
 use super::interval::Interval;
 use super::polynomial::{Polynomial, TERMS, number};
-use super::pressing::TensionCutOff;
+use super::pressing::PullCutOff;
 use super::proof::{Pair, Piece, Sprung};
 use super::reference::{Datum, Line};
 use super::span::Span;
@@ -73,7 +73,7 @@ struct Sums {
     pieces: Vec<Piece>,
     moments: Vec<([f64; 2], Polynomial)>,
     carriers: Vec<Carrier>,
-    cut_off: TensionCutOff,
+    cut_off: PullCutOff,
     /// The most that any pressure pulls with.
     pull: f64,
     /// Twice the gap without what is cut off.

@@ -101,22 +101,29 @@ fn supports(value: &Value<'_>) -> Result<Vec<Support>, Error> {
 }
 
 fn support(value: &Value<'_>) -> Result<Support, Error> {
-    let keys = value.table(&["at", "level", "built_in", "slope", "pushes_only"])?;
+    let keys = value.table(&["at", "level", "built_in", "slope", "pushes_only", "stiffness", "turning_stiffness"])?;
     let built_in = keys.truth("built_in")?.unwrap_or(false);
     let slope = keys.number("slope")?;
     let pushes_only = keys.truth("pushes_only")?.unwrap_or(false);
-    let more = if built_in { keys.get("built_in") } else { keys.get("slope") };
+    let [stiffness, turning_stiffness] = [keys.number("stiffness")?, keys.number("turning_stiffness")?];
+    let turns = keys.get("turning_stiffness");
+    let more = if built_in { keys.get("built_in") } else { keys.get("slope").or(turns) };
     if let (true, Some(more)) = (pushes_only, more) {
         return Err(Error { span: more.span(), problem: Problem::PushesBuiltIn { path: more.path } });
     }
-    if let (false, Some(slope)) = (built_in, keys.get("slope")) {
+    if let (true, Some(gives)) = (built_in, keys.get("turning_stiffness").or(keys.get("stiffness"))) {
+        return Err(Error { span: gives.span(), problem: Problem::GivesBuiltIn { path: gives.path } });
+    }
+    if let (false, None, Some(slope)) = (built_in, turning_stiffness, keys.get("slope")) {
         return Err(Error { span: slope.span(), problem: Problem::SlopeWithoutBuiltIn { path: slope.path } });
     }
     Ok(Support {
         at: keys.required_number("at")?,
         level: keys.number("level")?.unwrap_or(0.0),
-        slope: built_in.then_some(slope.unwrap_or(0.0)),
+        slope: (built_in || turning_stiffness.is_some()).then_some(slope.unwrap_or(0.0)),
         pushes_only,
+        stiffness,
+        turning_stiffness,
     })
 }
 

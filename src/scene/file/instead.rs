@@ -100,19 +100,16 @@ const INSTEAD: &[Instead] = &[
     },
     Instead {
         table: "beam.supports[]",
-        keys: &["stiffness", "spring", "k", "kz"],
-        write: &[
-            ("stiffness", "write the stiffness of the support as `stiffness`, a force per length"),
-            ("", "elastic supports are not supported yet"),
-        ],
+        keys: &["spring", "k", "kz"],
+        write: &[("stiffness", "write the stiffness of the support as `stiffness`, a force per length")],
     },
     Instead {
         table: "beam.supports[]",
-        keys: &["turning_stiffness", "rotational_stiffness", "k_rot", "kr"],
-        write: &[
-            ("turning_stiffness", "write the rotational stiffness as `turning_stiffness`, a moment per unit of slope"),
-            ("", "rotational springs are not supported yet"),
-        ],
+        keys: &["rotational_stiffness", "k_rot", "kr"],
+        write: &[(
+            "turning_stiffness",
+            "write the rotational stiffness as `turning_stiffness`, a moment per unit of slope",
+        )],
     },
     Instead {
         table: "load",

@@ -138,7 +138,9 @@ pub enum Problem {
         found: Vec<&'static str>,
     },
     /// The slope of a support that holds none.
-    #[error("`{path}` must not be there: a support holds a slope only with `built_in = true`")]
+    #[error(
+        "`{path}` must not be there: a support holds a slope only with `built_in = true` or with `turning_stiffness`"
+    )]
     SlopeWithoutBuiltIn {
         /// Path of the slope.
         path: String,
@@ -149,6 +151,15 @@ pub enum Problem {
     )]
     PushesBuiltIn {
         /// Path of the key that asks for more.
+        path: String,
+    },
+    /// A support in which the beam is built in and that gives.
+    #[error(
+        "`{path}` must not be there: a support with `built_in = true` holds level and slope, and gives nothing; one that is held by \
+         springs has `stiffness`, `turning_stiffness` or both, without `built_in`"
+    )]
+    GivesBuiltIn {
+        /// Path of the stiffness.
         path: String,
     },
     /// The numbers of the file make no scene. In a survey, `quantity` says how the survey calls the number.
@@ -274,7 +285,10 @@ impl Problem {
                 Some(format!("expected exactly one of them, or no {} at all", table_of(*of)))
             }
             Self::SeveralProfileKinds { .. } => Some("expected exactly one of them".to_owned()),
-            Self::SlopeWithoutBuiltIn { .. } => Some("expected `built_in = true` beside it, or no slope".to_owned()),
+            Self::SlopeWithoutBuiltIn { .. } => {
+                Some("expected `built_in = true` or `turning_stiffness` beside it, or no slope".to_owned())
+            }
+            Self::GivesBuiltIn { .. } => Some("expected it without `built_in = true`, or neither".to_owned()),
             Self::PushesBuiltIn { .. } => Some("expected `pushes_only = true` without it, or neither".to_owned()),
             Self::Empty => Some("expected a scene in TOML, with at least a table [beam]".to_owned()),
             Self::ForcesHeader { .. } | Self::ForcesWithoutHeader => {

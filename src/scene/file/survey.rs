@@ -59,7 +59,8 @@ impl Layout {
     /// A finite number; else the decimal mark that others have, if that is what is wrong. `1e999` parses as infinity, `nan` and `inf` as
     /// what they say: none of them is a level or a force.
     pub(super) fn number(&self, text: &str) -> Result<Decimal, Option<char>> {
-        let mark = text.find(['.', ',']).map(|at| (at, if text[at..].starts_with('.') { '.' } else { ',' }));
+        let mark = text.bytes().position(|byte| matches!(byte, b'.' | b','));
+        let mark = mark.map(|at| (at, char::from(text.as_bytes()[at])));
         let number = match mark {
             Some((_, ',')) => text.replacen(',', ".", 1).parse::<f64>(),
             _ => text.parse::<f64>(),
@@ -195,16 +196,18 @@ impl Survey {
 
     /// The lines that say something, with their places and without blanks round them; the first is the header.
     pub(super) fn rows(&self) -> impl Iterator<Item = Field<'_>> {
-        let (begin, _) = self.begin();
-        let end = line_end(&self.text);
-        let mut next = begin;
-        self.text[begin..].split(end).filter_map(move |line| {
-            let at = next + (line.len() - line.trim_start_matches(BLANKS).len());
-            next += line.len() + end.len_utf8();
-            let line = line.trim_matches(BLANKS);
-            let says_something = !line.trim_start().starts_with('#') && !line.trim_start().is_empty();
-            says_something.then_some((line, at..at + line.len()))
+        let (mut next, end) = (self.begin().0, line_end(&self.text));
+        std::iter::from_fn(move || {
+            let rest = self.text.get(next..)?;
+            let length = position(rest, end).unwrap_or(rest.len());
+            let (line, begin) = (&rest[..length], next);
+            next = begin + length + end.len_utf8();
+            let bare = line.trim_start_matches(BLANKS);
+            let at = begin + (line.len() - bare.len());
+            Some((bare.trim_end_matches(BLANKS), at))
         })
+        .filter(|(line, _)| !matches!(line.trim_start().bytes().next(), None | Some(b'#')))
+        .map(|(line, at)| (line, at..at + line.len()))
     }
 
     /// Where the rows begin, and what parts their fields if a first line says so.
@@ -234,6 +237,22 @@ pub(super) fn line_end(text: &str) -> char {
     if text.contains('\n') || !text.contains('\r') { '\n' } else { '\r' }
 }
 
+/// Where a character is in a text for the first time: rows and fields are short, and a search by bytes is quicker than one that sets out
+/// to be quick over long texts.
+fn position(text: &str, wanted: char) -> Option<usize> {
+    let mut encoded = [0; 4];
+    match wanted.encode_utf8(&mut encoded).as_bytes() {
+        [byte] => text.bytes().position(|b| b == *byte),
+        _ => text.find(wanted),
+    }
+}
+
+/// A text without blanks round it.
+fn trimmed(text: &str) -> &str {
+    let is_bare = |byte: Option<&u8>| byte.is_some_and(u8::is_ascii_graphic);
+    if is_bare(text.as_bytes().first()) && is_bare(text.as_bytes().last()) { text } else { text.trim() }
+}
+
 /// The fields of a row.
 struct Fields<'a> {
     row: &'a str,
@@ -250,10 +269,11 @@ impl<'a> Iterator for Fields<'a> {
         let begin = self.next?;
         let rest = &self.row[begin..];
         let quoted = quoted(rest);
-        let end = begin + quoted + rest[quoted..].find(self.separator).unwrap_or(rest.len() - quoted);
+        let end = begin + quoted + position(&rest[quoted..], self.separator).unwrap_or(rest.len() - quoted);
         self.next = (end < self.row.len()).then_some(end + self.separator.len_utf8());
         let field = &self.row[begin..end];
-        let (text, at) = (field.trim(), begin + field.len() - field.trim_start().len());
+        let text = trimmed(field);
+        let at = begin + if text.len() == field.len() { 0 } else { field.len() - field.trim_start().len() };
         let inside = text.strip_prefix('"').and_then(|text| text.strip_suffix('"')).filter(|_| 0 < quoted);
         let (text, at) = inside.map_or((text, at), |inside| {
             (inside.trim(), at + '"'.len_utf8() + inside.len() - inside.trim_start().len())
@@ -284,7 +304,8 @@ fn quoted(text: &str) -> usize {
 pub(super) fn with_memory(text: String) -> Result<String, ReadProblem> {
     /// For each row while a scene is made: some four times its point.
     const BYTES_PER_ROW: usize = 64;
-    if can_be_had(text.matches(line_end(&text)).count(), BYTES_PER_ROW) {
+    let end = line_end(&text);
+    if can_be_had(text.bytes().filter(|byte| char::from(*byte) == end).count(), BYTES_PER_ROW) {
         return Ok(text);
     }
     Err(ReadProblem::Refused { reason: "out of memory".to_owned() })

@@ -32,18 +32,18 @@ impl PiecewiseScene {
         self.support_at(i).is_some() || self.divisions.binary_search(&i).is_ok()
     }
 
-    /// The stretches of tension that reach into the open stretch from `a` to `b`; with `a = b`, that contain this place.
-    pub(in crate::theory) fn tension_between(&self, a: f64, b: f64) -> impl Iterator<Item = &(f64, f64)> {
-        let next = self.tension.partition_point(|&(_, hi)| hi <= a);
-        self.tension[next..].iter().take_while(move |&&(lo, _)| lo < b)
+    /// The pulling stretches that reach into the open stretch from `a` to `b`; with `a = b`, that contain this place.
+    pub(in crate::theory) fn pulling_between(&self, a: f64, b: f64) -> impl Iterator<Item = &(f64, f64)> {
+        let next = self.pulling.partition_point(|&(_, hi)| hi <= a);
+        self.pulling[next..].iter().take_while(move |&&(lo, _)| lo < b)
     }
 
     /// How far to the left a zone that starts at `x` may be extended, and how far to the right one that ends there: to the
-    /// next stretch of tension, or through the one in which `x` lies.
-    pub(in crate::theory) fn next_tension(&self, x: f64) -> [f64; 2] {
-        let next = self.tension.partition_point(|&(_, hi)| hi <= x);
-        let lo = next.checked_sub(1).map_or(0.0, |i| self.tension[i].1);
-        let hi = self.tension.get(next).map_or(self.length, |&(lo, _)| lo);
+    /// next pulling stretch, or through the one in which `x` lies.
+    pub(in crate::theory) fn next_pulling(&self, x: f64) -> [f64; 2] {
+        let next = self.pulling.partition_point(|&(_, hi)| hi <= x);
+        let lo = next.checked_sub(1).map_or(0.0, |i| self.pulling[i].1);
+        let hi = self.pulling.get(next).map_or(self.length, |&(lo, _)| lo);
         if x <= hi { [lo, hi] } else { [0.0, self.length] }
     }
 

@@ -11,6 +11,7 @@ mod crests;
 mod elastic;
 mod explain;
 mod general;
+mod giving;
 mod level;
 mod long;
 mod near;

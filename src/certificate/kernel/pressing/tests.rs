@@ -21,14 +21,14 @@ fn cut_off(
     foundation: &Foundation,
     load: f64,
     point: [f64; 2],
-    change: impl FnOnce(&EnclosedScene<'_>, &mut TensionCutOff),
+    change: impl FnOnce(&EnclosedScene<'_>, &mut PullCutOff),
 ) -> [Interval; 2] {
     let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
     let points = vec![PointLoad { at: point[0], force: point[1] }];
     let load = Load::new(&beam, load, Vec::new(), points).expect("finite");
     let scene = Scene::new(beam, load, Some(foundation.clone())).expect("well posed");
     in_intervals(&scene, Balance::Held, |enclosed| {
-        let mut cut_off = TensionCutOff::default();
+        let mut cut_off = PullCutOff::default();
         change(enclosed, &mut cut_off);
         cut_off.carried(&[Line(Datum::at(0.0), Datum::at(LENGTH))], STIFFNESS, 0.0)
     })
@@ -122,7 +122,7 @@ fn no_zone_goes_over_a_kink_of_the_own_shape() {
     let load = Load::uniform_on(&beam, 3.0).expect("finite");
     let scene = Scene::new(beam, load, Some(FLAT)).expect("well posed");
     let lies = |ends: [f64; 2]| {
-        in_intervals(&scene, Balance::Held, |enclosed| zone(enclosed, ends, &mut TensionCutOff::default()).is_some())
+        in_intervals(&scene, Balance::Held, |enclosed| zone(enclosed, ends, &mut PullCutOff::default()).is_some())
     };
     assert_eq!([[4.0, 7.0], [4.0, 12.0], [9.0, 12.0]].map(lies), [true, false, true]);
 }

@@ -6,7 +6,7 @@
 //! *Proof.* Let `I` be one part or several that are apart, `|I|` their widths together, and `w > e = √(2 gap/k|I|)` on all of `I`. If
 //! `|w₊ − w*₊| > e` on all of `I`, then `½ ∫ k (w₊ − w*₊)² > ½ k |I| e² = gap`, which the theorem at the head of [`springs`](super) excludes.
 //! So some place of `I` has `|w₊ − w*₊| ≤ e < w`; there `w*₊ > 0`, hence `w* = w*₊` and `|v̂ − v*| = |w − w*| ≤ e`. Of a group the deepest
-//! parts are taken, as many as satisfy this. They carry nothing of the tension that is cut off: any two carriers do that.
+//! parts are taken, as many as satisfy this. They carry nothing of the pulls that are cut off: any two carriers do that.
 
 use super::{Carrier, OnSprings};
 use crate::certificate::kernel::interval::Interval;

@@ -29,7 +29,7 @@ pub(super) fn pressure(given: &PiecewiseScene, cell: usize) -> Vec<f64> {
 /// Stretches in which a zone would pull at the beam, from left to right; a point load that does so is one without length, and so is a
 /// couple, and so is a change of the bending stiffness on curved ground: the moment of a beam that follows the ground does not jump, and
 /// the stiffer part of it would need the larger one.
-pub(super) fn tension_intervals(given: &PiecewiseScene) -> Vec<(f64, f64)> {
+pub(super) fn pulling_stretches(given: &PiecewiseScene) -> Vec<(f64, f64)> {
     /// Rounding of `q` and `u''''` against each other.
     const ROUNDING: f64 = 1e-13;
     let mut found: Vec<(f64, f64)> = Vec::new();
@@ -99,7 +99,7 @@ pub(super) fn zones_between(given: &PiecewiseScene, [from, to]: [f64; 2]) -> Vec
         }
     };
     let mut start = from;
-    for &(lo, hi) in given.tension_between(from, to) {
+    for &(lo, hi) in given.pulling_between(from, to) {
         let inside = start < lo && hi < to;
         let [end, next] = if inside { gap_around(given, [lo, hi], [start, to]) } else { [lo, hi] };
         add(start, end);
