@@ -18,6 +18,7 @@
 
 mod assembly;
 mod contact_nodes;
+mod equilibrium;
 mod given;
 mod polynomial;
 mod span;
@@ -60,12 +61,6 @@ pub enum Unproven {
     Cosine {
         /// Which profile has it.
         of: Profile,
-    },
-    /// The maker has no couples on an elastic foundation yet.
-    #[error("a couple on an elastic foundation, as at x = {at}, has no proof yet; on a rigid foundation it has")]
-    OnSprings {
-        /// The couple \[length\].
-        at: f64,
     },
     /// Exactly taken there is no admissible deflection.
     #[error(

@@ -10,7 +10,7 @@ fn main() {
     let mut why = std::collections::BTreeMap::<String, Vec<u64>>::new();
     let mut worst = [0.0_f64; 4];
     for i in args[0]..args[1] {
-        let drawn = general(i, &of); if std::env::var_os("V").is_some() { eprintln!("{i}"); }
+        let drawn = general(i, &of, std::env::args().nth(3).is_some_and(|a| a == "s")); if std::env::var_os("V").is_some() { eprintln!("{i}"); }
         let mut note = |what: String| why.entry(what).or_default().push(i);
         let scene = match parse("scene.toml", &drawn.text, |_| Err(ReadProblem::Missing)) {
             Ok(scene) => scene,
@@ -31,6 +31,7 @@ fn main() {
             supports: state.supports.iter().map(|support| support.force).collect(),
             contact: state.contact_force(),
             energy: state.energy,
+        length: scene.beam().length(),
             deflections: found.places.iter().map(|x| exact.deflection(*x)).collect(),
             moments: found.places.iter().map(|x| Some(exact.moment(*x))).collect(),
         };

@@ -206,7 +206,7 @@ impl Draft {
     #[must_use]
     pub fn in_units(&self, units: Units) -> Self {
         let Units { length, depth, force } = units;
-        let density = force / length;
+        let (density, bending) = (force / length, force * length * length * length / depth);
         let linear = |q: &LinearLoad| LinearLoad {
             from: q.from * length,
             to: q.to * length,
@@ -217,10 +217,11 @@ impl Draft {
             at: s.at * length,
             level: s.level * depth,
             slope: s.slope.map(|slope| slope * (depth / length)),
+            stiffness: s.stiffness.map(|k| k * (force / depth)),
+            turning_stiffness: s.turning_stiffness.map(|k| k * (bending / length)),
             ..*s
         };
         let profile = |profile: &Option<Foundation>| profile.as_ref().map(|profile| scaled(profile, length, depth));
-        let bending = force * length * length * length / depth;
         Self {
             length: self.length * length,
             stiffness: self.stiffness * bending,
@@ -338,9 +339,13 @@ fn joint(joint: &Joint) -> String {
 /// An entry of `beam.supports`.
 fn support(support: &Support) -> String {
     let [at, level] = [support.at, support.level].map(number);
-    let slope = support.slope.map_or_else(String::new, |slope| format!(", built_in = true, slope = {}", number(slope)));
+    let key = |key: &str, value: Option<f64>| value.map_or_else(String::new, |value| format!(", {key} = {}", number(value)));
+    let (spring, turning) =
+        (key("stiffness", support.stiffness), key("turning_stiffness", support.turning_stiffness));
+    let built_in = if support.is_built_in() { ", built_in = true" } else { "" };
+    let slope = key("slope", support.slope);
     let pushes = if support.pushes_only { ", pushes_only = true" } else { "" };
-    format!("{{ at = {at}, level = {level}{slope}{pushes} }}")
+    format!("{{ at = {at}, level = {level}{spring}{turning}{built_in}{slope}{pushes} }}")
 }
 
 /// A number as TOML has it; reading it back gives the same bits.

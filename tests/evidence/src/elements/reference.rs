@@ -17,6 +17,8 @@ pub struct Numbers {
     /// Bending moments there, positive with the underside in tension; [`None`] where finite elements do not tell, beside contact with rigid ground
     /// \[force · length\].
     pub moments: Vec<Option<f64>>,
+    /// Of the beam \[length\].
+    pub length: f64,
 }
 
 /// Shares by which forces, deflections, energy and moments differ, each of the largest of its kind.
@@ -26,11 +28,14 @@ impl Numbers {
     /// How far other numbers of the same case are from these.
     #[must_use]
     pub fn apart(&self, other: &Self) -> Shares {
+        const ROUNDING: f64 = 1e-9;
         let most = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, |most: f64, value| most.max(value.abs()));
         let apart = |a: &[f64], b: &[f64]| most(&mut a.iter().zip(b).map(|(a, b)| a - b));
         let size = |values: &[f64]| most(&mut values.iter().copied());
         let both = self.moments.iter().zip(&other.moments).filter_map(|(a, b)| a.zip(*b));
-        let moments = [most(&mut both.clone().map(|(a, b)| a - b)), most(&mut both.map(|(a, _)| a))];
+        // Moments that are none, compared where the beam has no others, are rounding of forces.
+        let least = ROUNDING * self.length * size(&self.supports).max(self.contact.abs());
+        let moments = [most(&mut both.clone().map(|(a, b)| a - b)), most(&mut both.map(|(a, _)| a)).max(least)];
         let forces = apart(&self.supports, &other.supports).max((self.contact - other.contact).abs());
         let share = |off: f64, size: f64| if off == 0.0 { 0.0 } else { off / size };
         [

@@ -81,14 +81,17 @@ impl Mesh<'_> {
     fn marks_on_rigid_ground(&self, below: f64) -> Vec<bool> {
         /// Of `F l³/EI`.
         const FLAT: f64 = 1e-6;
+        /// Of the deflection: far more than rounding.
+        const LEVEL: f64 = 1e-9;
         /// Shares of an element: a beam that touches beside a node is below the ground between the two, and nowhere else.
         const NEAR_NODES: [f64; 4] = [1e-4, 1e-3, 1e-2, 0.05];
         let count = self.nodes.len();
         let deflections = self.values.iter().step_by(2).map(|v| v.near());
         let [least, most] = deflections.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| [a.min(v), b.max(v)]);
-        // A beam that lies on flat ground all along has no range: then what its load would do counts.
+        // A beam that lies on flat ground all along has no range but rounding: then what its load would do counts.
         let load = self.loads().iter().step_by(2).fold(0.0, |sum, load| sum + load.near().abs());
-        let size = (most - least).max(FLAT * load);
+        let is_level = most - least <= LEVEL * most.abs().max(least.abs());
+        let size = if is_level { FLAT * load } else { most - least };
         let pressed = self.pressed();
         let mark = |i: usize| {
             let (x, h) = (self.nodes[i], self.nodes[i + 1] - self.nodes[i]);
@@ -132,6 +135,7 @@ impl Mesh<'_> {
             contact: self.soil().filter(|spring| spring.pressed).map(|spring| spring.force(&self.values)).sum::<f64>()
                 * force,
             energy: self.energy() * force,
+            length,
             deflections: at_places.iter().map(|node| self.values[2 * node].near()).collect(),
             moments: at_places.iter().map(|node| is_one(*node).then(|| moment(*node) * force * length)).collect(),
         }

@@ -51,15 +51,15 @@ pub struct General {
     pub features: Vec<Feature>,
 }
 
-/// Scene number `i` with some of these features.
+/// Scene number `i` with some of these features, over rigid ground or none, or on an elastic foundation.
 #[must_use]
-pub fn general(i: u64, of: &[Feature]) -> General {
+pub fn general(i: u64, of: &[Feature], on_soil: bool) -> General {
     let mut random = Random::new(0x006e_6e00_0000 + i);
     let mut features: Vec<Feature> = (0..1 + random.below(4)).map(|_| of[random.below(of.len())]).collect();
     features.sort();
     features.dedup();
     let mut draw = Draw::new(random, features);
-    draw.beam();
+    draw.beam(on_soil);
     General { text: draw.text(), features: draw.features }
 }
 
@@ -131,8 +131,7 @@ impl Draw {
         }
     }
 
-    fn beam(&mut self) {
-        let on_soil = self.has(Feature::SoilSteps) || self.random.once_in(3);
+    fn beam(&mut self, on_soil: bool) {
         let free = self.hold(on_soil);
         self.ground(on_soil, free);
         self.stiff();
