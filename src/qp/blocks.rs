@@ -60,43 +60,132 @@ impl AsMut<Self> for Block {
     }
 }
 
-/// Factors the matrix, with `Θ_i` the `ratio` of a row.
+/// What elimination up to a row leaves in its pivot block.
+#[derive(Debug, Clone, Copy, Default)]
+struct Carried {
+    a: f64,
+    e: f64,
+    g: f64,
+}
+
+/// The entries `c`, `ω` and `σ` between two rows.
+type Between = [f64; 3];
+
+impl Block {
+    /// The entries between this row and the one to its right.
+    fn beside(&self) -> Between {
+        [self.c, self.off, self.sigma]
+    }
+
+    /// Sets the pivot block.
+    #[inline]
+    fn pivot(&mut self, Carried { a, e, g }: Carried, theta: f64, c: f64) {
+        self.a = a + theta;
+        self.h = c + (e + self.eta);
+        self.g = g + self.w;
+        self.inverse = 1.0 / (self.a * self.g + self.h * self.h);
+    }
+
+    /// Eliminates the row, from which the entries lead on.
+    #[inline]
+    fn eliminate(&mut self, carried: Carried, theta: f64, [c, off, sigma]: Between) -> Carried {
+        self.pivot(carried, theta, c);
+        let e = carried.e + self.eta;
+        let (scaled, turned) = (c * self.inverse, sigma * self.inverse);
+        Carried {
+            a: c * scaled * self.a + turned * (2.0 * c * self.h - self.g * sigma),
+            e: scaled * (self.a * (self.g + off) + self.h * e) + turned * (c * self.g + self.h * off),
+            g: scaled * (c * self.g + 2.0 * self.h * off) - self.a * off * off * self.inverse,
+        }
+    }
+
+    /// The solution of the pivot block.
+    #[inline]
+    fn solved(&self, [y1, y2]: [f64; 2]) -> [f64; 2] {
+        [(self.g * y1 - self.h * y2) * self.inverse, -(self.h * y1 + self.a * y2) * self.inverse]
+    }
+}
+
+/// What a solution beside a row adds to its equations.
+#[inline]
+fn across([c, off, sigma]: Between, [y, x]: [f64; 2]) -> [f64; 2] {
+    [sigma * y + c * x, c * y - off * x]
+}
+
+/// Factors the matrix, with `Θ_i` the `ratio` of a row, from left to right.
 #[inline]
 pub(crate) fn factor<R: AsMut<Block>>(rows: &mut [R], ratio: impl Fn(&R) -> f64) {
-    let (mut a, mut e, mut g) = (0.0, 0.0, 0.0);
-    for row in rows {
+    let last = rows.len().saturating_sub(1);
+    factor_towards(rows, last, ratio);
+}
+
+/// Factors the matrix from both ends towards a row: where a row has an infinite `w`, a hinge, elimination must not begin on the side on
+/// which statics alone says what is there, and which could move without the rest.
+#[inline]
+pub(crate) fn factor_towards<R: AsMut<Block>>(rows: &mut [R], meeting: usize, ratio: impl Fn(&R) -> f64) {
+    let (left, right) = rows.split_at_mut(meeting);
+    let mut from_left = Carried::default();
+    for row in left {
         let theta = ratio(row);
         let row = row.as_mut();
-        row.a = a + theta;
-        e += row.eta;
-        row.h = row.c + e;
-        row.g = g + row.w;
-        row.inverse = 1.0 / (row.a * row.g + row.h * row.h);
-        let (c, off) = (row.c, row.off);
-        let (scaled, sigma) = (c * row.inverse, row.sigma * row.inverse);
-        a = c * scaled * row.a + sigma * (2.0 * c * row.h - row.g * row.sigma);
-        e = scaled * (row.a * (row.g + off) + row.h * e) + sigma * (c * row.g + row.h * off);
-        g = scaled * (c * row.g + 2.0 * row.h * off) - row.a * off * off * row.inverse;
+        from_left = row.eliminate(from_left, theta, row.beside());
     }
+    let mut from_right = Carried::default();
+    for i in (1..right.len()).rev() {
+        let theta = ratio(&right[i]);
+        let between = right[i - 1].as_mut().beside();
+        from_right = right[i].as_mut().eliminate(from_right, theta, between);
+    }
+    let Some(row) = right.first_mut() else { return };
+    let theta = ratio(row);
+    let (Carried { a, e, g }, right) = (from_left, from_right);
+    row.as_mut().pivot(Carried { a: a + right.a, e, g: g + right.g }, theta, right.e);
 }
 
 /// Solves with these factors for `step`, with `right`, `r₁` and `r₂`, of each row.
 #[inline]
 pub(crate) fn solve<R: AsMut<Block>>(rows: &mut [R], right: impl Fn(&R) -> [f64; 2]) {
-    let mut carry = [0.0; 2];
-    for row in rows.iter_mut() {
-        let [r1, r2] = right(row);
+    let last = rows.len().saturating_sub(1);
+    solve_towards(rows, last, right);
+}
+
+/// The same with factors towards a row.
+#[inline]
+pub(crate) fn solve_towards<R: AsMut<Block>>(rows: &mut [R], meeting: usize, right: impl Fn(&R) -> [f64; 2]) {
+    let less = |[r1, r2]: [f64; 2], [c1, c2]: [f64; 2]| [r1 - c1, r2 - c2];
+    let (before, behind) = rows.split_at_mut(meeting);
+    let mut from_left = [0.0; 2];
+    for row in before.iter_mut() {
+        let r = right(row);
         let row = row.as_mut();
-        let (y1, y2) = (r1 - carry[0], r2 - carry[1]);
-        row.step = [(row.g * y1 - row.h * y2) * row.inverse, -(row.h * y1 + row.a * y2) * row.inverse];
-        carry = [row.sigma * row.step[0] + row.c * row.step[1], row.c * row.step[0] - row.off * row.step[1]];
+        row.step = row.solved(less(r, from_left));
+        from_left = across(row.beside(), row.step);
     }
-    let mut next = [0.0; 2];
-    for row in rows.iter_mut().rev() {
+    let mut from_right = [0.0; 2];
+    for i in (1..behind.len()).rev() {
+        let r = right(&behind[i]);
+        let between = behind[i - 1].as_mut().beside();
+        let row = behind[i].as_mut();
+        row.step = row.solved(less(r, from_right));
+        from_right = across(between, row.step);
+    }
+    let Some(middle) = behind.first_mut() else { return };
+    let r = right(middle);
+    let middle = middle.as_mut();
+    middle.step = middle.solved(less(less(r, from_left), from_right));
+    let (mut next, step) = (middle.step, middle.step);
+    for row in before.iter_mut().rev() {
         let row = row.as_mut();
-        let (y1, y2) = (row.sigma * next[0] + row.c * next[1], row.c * next[0] - row.off * next[1]);
-        row.step[0] -= (row.g * y1 - row.h * y2) * row.inverse;
-        row.step[1] += (row.h * y1 + row.a * y2) * row.inverse;
+        let [more_y, more_x] = row.solved(across(row.beside(), next));
+        row.step = [row.step[0] - more_y, row.step[1] - more_x];
+        next = row.step;
+    }
+    let mut next = step;
+    for i in 1..behind.len() {
+        let between = behind[i - 1].as_mut().beside();
+        let row = behind[i].as_mut();
+        let [more_y, more_x] = row.solved(across(between, next));
+        row.step = [row.step[0] - more_y, row.step[1] - more_x];
         next = row.step;
     }
 }

@@ -24,6 +24,10 @@
 
 use crate::qp::blocks::{Block, PENALTY, factor, solve};
 
+/// The flexibility of a hinge in the chain, of a beam of length and stiffness one. It is not infinite: on a side of it where statics alone
+/// says what is there, elimination would divide zero by zero. Eight of the digits of a guess are enough.
+const HINGE: f64 = 1e8;
+
 /// The chain above samples from end to end of the beam, or of a part of it between built-in supports.
 #[derive(Debug)]
 pub(super) struct Chain<'a> {
@@ -254,7 +258,7 @@ impl Chain<'_> {
         let row = |i: usize| {
             let left = if 0 < i { share(link(i - 1)) } else { PENALTY * f64::from(!self.built_in[0]) };
             let ChainSample { bend, load, held, open, joint, .. } = self.samples[i];
-            let left = left + if joint.is_finite() { joint } else { PENALTY };
+            let left = left + joint.min(HINGE);
             let row = Row { bend, load, open, held: held.is_some(), s: held.unwrap_or(0.0), ..Row::default() };
             if i + 1 == n {
                 let w = left + PENALTY * f64::from(!self.built_in[1]);

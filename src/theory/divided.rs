@@ -18,7 +18,7 @@ use super::overhang::Overhang;
 use super::piecewise::{Breakpoint, PiecewiseScene};
 use super::span::{Drive, End, EndCondition, FixedEnd, Span, difference, fixed_end};
 use super::way::{Prescribed, Way};
-use crate::qp::blocks::{Block, PENALTY, factor, solve};
+use crate::qp::blocks::{Block, PENALTY, factor_towards, solve_towards};
 
 /// How the moments at both ends of a span answer to the slopes there.
 pub(super) type Answer = [[f64; 2]; 2];
@@ -241,10 +241,13 @@ impl Chain<'_> {
     /// `h, h', n, N` at both ends of each part, and the answer.
     fn solve(&self) -> Option<(Vec<[[f64; 4]; 2]>, Answer)> {
         let (mut rows, right) = self.rows();
-        factor(&mut rows, |row| row.theta);
+        // With at most two hinges, of which the link between hangs by nothing else, each side of the last one holds itself.
+        let last_hinge = self.places.iter().rposition(|place| place.joint.is_infinite());
+        let meeting = last_hinge.map_or(self.parts.len(), |place| place + 1);
+        factor_towards(&mut rows, meeting, |row| row.theta);
         let mut of = |right: &dyn Fn(usize) -> [f64; 2]| {
             rows.iter_mut().enumerate().for_each(|(i, row)| row.right = right(i));
-            solve(&mut rows, |row| row.right);
+            solve_towards(&mut rows, meeting, |row| row.right);
             let sound = rows.iter().all(|row| row.block.failed().is_none());
             sound.then(|| rows.iter().map(|row| row.block.step).collect::<Vec<_>>())
         };

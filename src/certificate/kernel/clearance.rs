@@ -111,7 +111,12 @@ impl Side<'_> {
             let place = [distance + width, Interval::ZERO];
             return Some((enough(&Polynomial::new(&[clearance]), &self.shape, place, most)?, Vec::new()));
         };
-        Some((most, vec![clearance.at(width), clearance.derivative().at(width) + kink]))
+        let mut known = vec![clearance.at(width)];
+        // In a joint the beam has a kink of its own.
+        if !enclosed.joints.iter().any(|joint| joint.0.total_cmp(&far).is_eq()) {
+            known.push(clearance.derivative().at(width) + kink);
+        }
+        Some((most, known))
     }
 }
 

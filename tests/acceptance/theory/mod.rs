@@ -12,6 +12,7 @@ mod elastic;
 mod explain;
 mod general;
 mod giving;
+mod hinges;
 mod level;
 mod long;
 mod near;

@@ -1,0 +1,79 @@
+//! Beams with a hinge beside an end at which statics alone says what is there: elimination must not begin on that side.
+
+use palkki::scene::Scene;
+use palkki::scene::file::{ReadProblem, parse};
+use palkki::theory::{self, Exact};
+use palkki::verdict::Status;
+
+fn solved(beam: &str, ground: &str) -> Exact {
+    let text = format!("[beam]\nlength = 10.0\n{beam}\n[load]\nuniform = 1.0\n{ground}");
+    let scene: Scene = parse("scene.toml", &text, |_| Err(ReadProblem::Missing)).expect("a scene");
+    let exact = theory::solve(&scene).expect("an answer");
+    assert!(exact.solved, "{text}");
+    exact
+}
+
+#[track_caller]
+fn check(found: f64, expected: f64) {
+    assert!((found - expected).abs() <= 1e-11 * expected.abs(), "{found} instead of {expected}");
+}
+
+/// A hinge at 1 hangs from the end at 0 and from the beam over 4 and 10: it presses on that with `q/2`. By hand.
+#[test]
+fn a_hinge_beside_an_end_on_a_support_hangs_from_the_beam_beyond() {
+    let beam = "bending_stiffness = 100.0\njoints = [{ at = 1.0 }]\nsupports = [{ at = 0 }, { at = 4 }, { at = 10 }]";
+    let exact = solved(beam, "");
+    check(exact.deflection(1.0), 0.236_25);
+    check(exact.state.energy, -4.0 / 15.0);
+    check(exact.state.reactions.left, 0.5);
+    // The middle support 0.3 deeper turns the left part about it: `0.3 − …` at the hinge by the slope of the beam over 4 and 10.
+    let sunk = solved(&beam.replace("{ at = 4 }", "{ at = 4, level = 0.3 }"), "");
+    check(sunk.deflection(1.0), 0.236_25 + 0.3 + 3.0 * 0.3 / 6.0);
+    check(sunk.state.energy, -4.0 / 15.0 - 0.3 * sunk.state.supports[1].force);
+    check(sunk.state.supports[1].force, 7.5);
+}
+
+/// Two hinges between a wall and a support: the link between them hangs from both.
+#[test]
+fn a_link_between_two_hinges_hangs_from_both_sides() {
+    let beam = "bending_stiffness = 100.0\njoints = [{ at = 1.0 }, { at = 2.5 }]\nsupports = [{ at = 0, built_in = true }, { at = 4 }, { at = 10 }]";
+    let exact = solved(beam, "");
+    // Half of the link's load on the cantilever: `v = q x⁴/8 + P x³/3` over EI.
+    check(exact.deflection(1.0), (1.0 / 8.0 + 0.75 / 3.0) / 100.0);
+    check(exact.state.reactions.left, 1.75);
+}
+
+/// A hinge on flat ground of depth `d`: the right part, as if on two supports, lifts off where its load turns it level,
+/// `q L³/24 EI = d/L`, and lies from the hinge up to there.
+#[test]
+fn a_beam_lies_on_the_ground_beside_a_hinge() {
+    let exact = solved("bending_stiffness = 10.0\njoints = [{ at = 3.0 }]", "[foundation]\ndepth = 10");
+    let free = (24.0 * 10.0 * 10.0_f64).sqrt().sqrt();
+    let [contact] = exact.state.contacts[..] else { panic!("{:?}", exact.state.contacts) };
+    assert!(contact.from.total_cmp(&3.0).is_eq(), "{}", contact.from);
+    check(contact.to, 10.0 - free);
+    check(exact.state.reactions.left, 1.5);
+    check(exact.state.reactions.right, 0.5 * free);
+    // Deeper it touches in the hinge alone.
+    let deep = solved("bending_stiffness = 10.0\njoints = [{ at = 3.0 }]", "[foundation]\ndepth = 1000");
+    let [point] = deep.state.contacts[..] else { panic!("{:?}", deep.state.contacts) };
+    assert_eq!([point.from, point.to].map(f64::to_bits), [3.0_f64; 2].map(f64::to_bits));
+    check(point.force, 5.0);
+}
+
+/// A kink of the beam in a joint is no kink of the ground: what is known of the clearance before the joint is not known of its slope
+/// beyond.
+#[test]
+fn a_beam_with_a_joint_above_ground_is_certified() {
+    for at in (1..20).map(|i| 0.5 * f64::from(i)) {
+        for stiffness in [1.0, 10.0, 1000.0] {
+            let text = format!(
+                "[beam]\nlength = 10.0\nbending_stiffness = 100.0\njoints = [{{ at = {at:?}, stiffness = {stiffness:?} }}]\n\
+                 [load]\nuniform = 1.0\n[foundation]\ndepth = 1.0\n"
+            );
+            let scene: Scene = parse("scene.toml", &text, |_| Err(ReadProblem::Missing)).expect("a scene");
+            let solution = palkki::solve_exactly(&scene).expect("an answer");
+            assert_eq!(solution.verdict.status, Status::Certified, "{text}");
+        }
+    }
+}
