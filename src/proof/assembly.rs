@@ -5,11 +5,11 @@
 use dashu_ratio::RBig;
 
 use super::contact_nodes::{HoldingNode, Part};
+use super::equilibrium::{Chosen, Equilibrium, without_pull};
 use super::given::Given;
 use super::polynomial::{
     Polynomial, at, between, derivative, exactly, is_nowhere_negative, jet, magnitude, plus, product, shifted, short,
 };
-use super::equilibrium::{Chosen, Equilibrium, without_pull};
 use super::span::{Span, width};
 use super::{Cell, Fields, Unproven};
 
@@ -54,9 +54,8 @@ impl Given {
         let spans = (0..=nodes.len()).map(|i| self.span(nodes, i)).collect::<Result<Vec<_>, _>>()?;
         let equilibrium = Equilibrium { given: self, nodes, spans: &spans };
         let mut assembly = Assembly { given: self, nodes, spans: &spans, moments: Vec::new(), hanging: Vec::new() };
-        let near = (0..nodes.len())
-            .map(|i| assembly.moments_at(i, equilibrium.is_split(i)))
-            .collect::<Result<Vec<_>, _>>()?;
+        let near =
+            (0..nodes.len()).map(|i| assembly.moments_at(i, equilibrium.is_split(i))).collect::<Result<Vec<_>, _>>()?;
         let chosen = equilibrium.corrected(Chosen { nodes: near, springs: equilibrium.springs() })?;
         assembly.hanging = (0..spans.len()).map(|i| equilibrium.moments(i, &chosen).0).collect();
         assembly.moments = chosen.nodes;
@@ -192,9 +191,8 @@ impl Assembly<'_> {
     /// The cells of span `i`.
     fn hanging_cells(&self, i: usize) -> Vec<Cell> {
         let Some(span) = &self.spans[i] else { return Vec::new() };
-        let of = |((part, v), moment): (&([f64; 2], Polynomial), &Polynomial)| {
-            cell(*part, v.clone(), moment.clone(), false)
-        };
+        let of =
+            |((part, v), moment): (&([f64; 2], Polynomial), &Polynomial)| cell(*part, v.clone(), moment.clone(), false);
         span.curve.iter().zip(&self.hanging[i]).map(of).collect()
     }
 

@@ -114,7 +114,10 @@ impl Given {
     fn is_corner(&self, x: f64) -> bool {
         let [left, right] = [true, false].map(|left| self.side(x, left));
         self.joint(x).is_some()
-            || x <= 0.0 || self.length <= x || left != right || left.is_some_and(|[g, _]| Some(g) != self.depth(x))
+            || x <= 0.0
+            || self.length <= x
+            || left != right
+            || left.is_some_and(|[g, _]| Some(g) != self.depth(x))
     }
 
     /// Whether the slope on a side of a node follows from the others.
@@ -165,9 +168,8 @@ impl Given {
         const SOLVES: usize = 2;
         let is_joint: Vec<bool> = nodes.iter().map(|node| self.joint(node.x).is_some()).collect();
         // A joint has a row for each side.
-        let rows: Vec<(usize, usize)> = (0..nodes.len())
-            .flat_map(|i| (0..if is_joint[i] { 2 } else { 1 }).map(move |side| (i, side)))
-            .collect();
+        let rows: Vec<(usize, usize)> =
+            (0..nodes.len()).flat_map(|i| (0..if is_joint[i] { 2 } else { 1 }).map(move |side| (i, side))).collect();
         let row = |i: usize, side: usize| rows.partition_point(|row| *row < (i, if is_joint[i] { side } else { 0 }));
         let free: Vec<bool> = rows.iter().map(|&(i, side)| self.turns(&nodes[i], side)).collect();
         if !free.contains(&true) {
@@ -195,7 +197,8 @@ impl Given {
             for (i, node) in nodes.iter().enumerate() {
                 self.hold_turning(node, &mut system[row(i, 0)..=row(i, 1)], &mut left[row(i, 0)..=row(i, 1)]);
             }
-            let mut system: Vec<[f64; 4]> = system.into_iter().zip(&left).map(|([l, d, r, _], m)| [l, d, r, -m.to_f64().value()]).collect();
+            let mut system: Vec<[f64; 4]> =
+                system.into_iter().zip(&left).map(|([l, d, r, _], m)| [l, d, r, -m.to_f64().value()]).collect();
             for (k, is_free) in free.iter().enumerate() {
                 if !is_free {
                     system[k] = [0.0, 1.0, 0.0, 0.0];
@@ -206,7 +209,8 @@ impl Given {
             }
             let changes = tridiagonal(system).ok_or(Unproven::Turns { at: nodes[0].x })?;
             for (i, node) in nodes.iter_mut().enumerate() {
-                let changed = |side: usize| super::polynomial::short(&(&node.slopes[side] + exactly(changes[row(i, side)])));
+                let changed =
+                    |side: usize| super::polynomial::short(&(&node.slopes[side] + exactly(changes[row(i, side)])));
                 node.slopes = [changed(0), changed(1)];
             }
         }

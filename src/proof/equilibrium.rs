@@ -180,7 +180,8 @@ impl Equilibrium<'_> {
             Condition::Hinge(i, _) | Condition::End(i) => i,
             Condition::Balance => 0,
         };
-        let ends = [i.checked_sub(1).and_then(|node| side(node, 1)), if i < self.nodes.len() { side(i, 0) } else { None }];
+        let ends =
+            [i.checked_sub(1).and_then(|node| side(node, 1)), if i < self.nodes.len() { side(i, 0) } else { None }];
         let within = self.spans[i].as_ref().map_or([0.0; 2], |s| [s.curve[0].0[0], s.curve[s.curve.len() - 1].0[1]]);
         let springs = (0..self.given.elastic.len()).filter(|k| {
             let x = self.given.elastic[*k].x;
@@ -223,7 +224,8 @@ impl Equilibrium<'_> {
                     *entry -= &share * coefficient;
                 }
             }
-            let pivot = row.iter().filter(|(_, c)| !c.is_zero()).max_by_key(|(n, c)| self.weight(**n, c)).map(|(n, _)| *n);
+            let pivot =
+                row.iter().filter(|(_, c)| !c.is_zero()).max_by_key(|(n, c)| self.weight(**n, c)).map(|(n, _)| *n);
             let Some(pivot) = pivot else {
                 if lacks.is_zero() {
                     continue;

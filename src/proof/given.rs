@@ -139,9 +139,20 @@ impl Given {
         let parts = [&given.ground, &given.shape].map(ends).concat().into_iter();
         let single = beam.all_supports().into_iter().map(|s| s.at).chain(given.hanging_breaks.iter().copied());
         given.breaks = sorted(parts.chain(single), l);
+        given.cut_for_tension(scene);
         given.edges(scene);
         given.stand(scene, press)?;
         Ok(given)
+    }
+
+    /// Cuts what hangs so that a power series has the digits that it needs.
+    fn cut_for_tension(&mut self, scene: &Scene) {
+        /// Parts of the length `√(EI/N)` over which a beam in tension decays: with [`TERMS`](Self::TERMS) the series is off by 1e-14.
+        const PARTS: f64 = 2.0;
+        let decays = libm::sqrt(self.tension.to_f64().value().abs() / scene.beam().bending_stiffness());
+        let count = libm::ceil(PARTS * self.length * decays);
+        let places = (1_u32..).map(f64::from).take_while(|i: &f64| *i < count).map(|i| self.length * i / count);
+        self.hanging_breaks = sorted(self.hanging_breaks.iter().copied().chain(places), self.length);
     }
 
     /// The edges of steps at the ends of the beam, where there is no part of the beam on the other side.

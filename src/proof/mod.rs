@@ -151,7 +151,7 @@ pub fn prove(scene: &Scene, exact: &Exact) -> Result<Fields, Unproven> {
     }
 }
 
-/// What a list of contacts proves on rigid ground, from any source: only their places count.
+/// What a list of contacts proves on rigid ground, from any source: only their places count, and all springs that only push are pressed.
 ///
 /// # Errors
 ///
@@ -162,7 +162,12 @@ pub fn of_contacts(scene: &Scene, contacts: &[Contact]) -> Result<Fields, Unprov
 }
 
 fn of_places(scene: &Scene, contacts: &[Contact], exact: Option<&Exact>) -> Result<Fields, Unproven> {
-    let given = Given::of(scene, &[])?;
+    let stops = scene.beam().springs().iter().filter(|support| support.pushes_only);
+    let pressed = |at: f64| {
+        exact.is_none_or(|exact| exact.state.supports.iter().any(|s| s.at.total_cmp(&at).is_eq() && 0.0 < s.force))
+    };
+    let press: Vec<f64> = stops.map(|support| support.at).filter(|at| pressed(*at)).collect();
+    let given = Given::of(scene, &press)?;
     let mut contacts = contacts.to_vec();
     loop {
         let proven = given.nodes(&contacts, exact).and_then(|nodes| given.assembled(&nodes));

@@ -66,9 +66,8 @@ impl Given {
         let moment = |of: &[RBig; 4], side: usize| short(&(-stiffness[side] * &of[2]));
         let splits = self.turning(x).is_some() || self.support(x).is_some_and(|s| s.slope.is_some());
         let is_end = [x <= 0.0, self.length <= x];
-        let both = |of: &dyn Fn(&[RBig; 4], usize) -> RBig| {
-            [0, 1].map(|side| of(sides[side].as_ref().unwrap_or(one), side))
-        };
+        let both =
+            |of: &dyn Fn(&[RBig; 4], usize) -> RBig| [0, 1].map(|side| of(sides[side].as_ref().unwrap_or(one), side));
         let [_, couple] = self.acting(x);
         let hinged = self.joint(x).is_some_and(Option::is_none);
         let moments = match is_end {
@@ -85,7 +84,8 @@ impl Given {
         };
         let deflection = surface.unwrap_or_else(|| one[0].clone());
         let shear = |of: &[RBig; 4], side: usize| short(&(-stiffness[side] * &of[3] + &self.tension * &of[1]));
-        node.slopes = [0, 1].map(|side| sides[side].as_ref().filter(|_| self.joint(x).is_some()).unwrap_or(one)[1].clone());
+        node.slopes =
+            [0, 1].map(|side| sides[side].as_ref().filter(|_| self.joint(x).is_some()).unwrap_or(one)[1].clone());
         node.pressed = Some(Box::new(PressedEnd { deflection, moment: moments, shear: both(&shear) }));
     }
 }

@@ -88,7 +88,9 @@ impl Count {
     fn add(&mut self, i: u32, text: &str, is_coarse: bool) {
         self.cases += 1;
         let read = parse("scene.toml", text, |_| Err(ReadProblem::Missing));
-        let solved = read.map_err(|error| kind(&error.problem)).and_then(|scene| solve_exactly(&scene).map_err(|error| kind(&error)));
+        let solved = read
+            .map_err(|error| kind(&error.problem))
+            .and_then(|scene| solve_exactly(&scene).map_err(|error| kind(&error)));
         let refusal = match &solved {
             Err(kind) => Some((0, kind.clone())),
             Ok(solution) if solution.verdict.status == Status::Certified => None,

@@ -84,7 +84,6 @@ fn wrong(coupled: &Coupled, apart: f64, for_elements: &Coupled) -> Vec<String> {
     const MIRRORED: f64 = 1e-9;
     // Over a short stretch between a couple and a step the pressure of the pair is a rounded difference over its length.
     let widest = if 1e-13 < apart { 1e-6 } else { 5e-5 };
-    let scene = coupled.scene();
     let solved = |coupled: &Coupled| solve_exactly(&coupled.scene()).map_err(|error| vec![error.to_string()]);
     let solutions = [coupled.clone(), coupled.mirrored(), coupled.by_forces(ARM)].map(|coupled| solved(&coupled));
     let [Ok(solution), Ok(mirrored), Ok(by_forces)] = solutions else {

@@ -106,7 +106,8 @@ impl Draft {
     /// What is wrong with their numbers, or with the length of the beam.
     pub fn load(&self) -> Result<Load, SceneError> {
         let beam = Beam::new(self.length, self.stiffness)?;
-        Load::new(&beam, self.uniform, self.linear.clone(), self.point.clone())?.with_couples(&beam, self.couple.clone())
+        Load::new(&beam, self.uniform, self.linear.clone(), self.point.clone())?
+            .with_couples(&beam, self.couple.clone())
     }
 
     /// The supports, in the order in which the file has them.
@@ -339,9 +340,9 @@ fn joint(joint: &Joint) -> String {
 /// An entry of `beam.supports`.
 fn support(support: &Support) -> String {
     let [at, level] = [support.at, support.level].map(number);
-    let key = |key: &str, value: Option<f64>| value.map_or_else(String::new, |value| format!(", {key} = {}", number(value)));
-    let (spring, turning) =
-        (key("stiffness", support.stiffness), key("turning_stiffness", support.turning_stiffness));
+    let key =
+        |key: &str, value: Option<f64>| value.map_or_else(String::new, |value| format!(", {key} = {}", number(value)));
+    let (spring, turning) = (key("stiffness", support.stiffness), key("turning_stiffness", support.turning_stiffness));
     let built_in = if support.is_built_in() { ", built_in = true" } else { "" };
     let slope = key("slope", support.slope);
     let pushes = if support.pushes_only { ", pushes_only = true" } else { "" };

@@ -115,7 +115,8 @@ impl Element {
             let sum = rise * parts[0].into() + values[1] * parts[1].into() + values[3] * parts[2].into();
             sum * h * (self.tension / 30.0).into()
         };
-        let (cross, one) = (pull([-36.0, 3.0, 3.0], 1.0.into()), [pull([-3.0, 4.0, -1.0], h), pull([-3.0, -1.0, 4.0], h)]);
+        let (cross, one) =
+            (pull([-36.0, 3.0, 3.0], 1.0.into()), [pull([-3.0, 4.0, -1.0], h), pull([-3.0, -1.0, 4.0], h)]);
         [shear + cross, a + one[0], -shear - cross, b + one[1]]
     }
 }
@@ -170,7 +171,8 @@ impl<'a> Mesh<'a> {
         let mut taken: Vec<usize> = springs.iter().filter(takes).map(|spring| spring.first / 2).collect();
         for &[at, stiffness] in &self.problem.joints {
             let node = self.node_at(at);
-            let both = Spring { shares: [1.0, 0.0, -1.0, 0.0], holds: true, of: Of::Other, ..Spring::at_node(node, 0.0) };
+            let both =
+                Spring { shares: [1.0, 0.0, -1.0, 0.0], holds: true, of: Of::Other, ..Spring::at_node(node, 0.0) };
             springs.extend([both, Spring { shares: [0.0, 1.0, 0.0, -1.0], stiffness, ..both }]);
             taken.push(node + 1);
         }
@@ -188,12 +190,8 @@ impl<'a> Mesh<'a> {
         const POINTS: [f64; 2] = [0.861_136_311_594_052_6, 0.339_981_043_584_856_3];
         const WEIGHTS: [f64; 2] = [0.347_854_845_137_453_9, 0.652_145_154_862_546_1];
         let ([from, to], h) = ([self.nodes[i], self.nodes[i + 1]], self.nodes[i + 1] - self.nodes[i]);
-        let signed = [
-            (-POINTS[0], WEIGHTS[0]),
-            (-POINTS[1], WEIGHTS[1]),
-            (POINTS[1], WEIGHTS[1]),
-            (POINTS[0], WEIGHTS[0]),
-        ];
+        let signed =
+            [(-POINTS[0], WEIGHTS[0]), (-POINTS[1], WEIGHTS[1]), (POINTS[1], WEIGHTS[1]), (POINTS[0], WEIGHTS[0])];
         signed.map(|(point, weight)| {
             let t = 0.5 * (1.0 + point);
             let gap = self.problem.gap(from + t * h);
@@ -284,8 +282,11 @@ impl<'a> Mesh<'a> {
 
     /// Those of the soil within an element.
     pub(super) fn soil_of(&self, element: usize) -> impl Iterator<Item = &Spring> {
-        let all =
-            if self.problem.is_on_soil() { &self.springs[self.springs.len() - 4 * (self.nodes.len() - 1)..] } else { &[][..] };
+        let all = if self.problem.is_on_soil() {
+            &self.springs[self.springs.len() - 4 * (self.nodes.len() - 1)..]
+        } else {
+            &[][..]
+        };
         all.iter().skip(4 * element).take(4)
     }
 

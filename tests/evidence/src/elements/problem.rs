@@ -114,7 +114,8 @@ impl Problem {
         let given = supports.map(|supports| {
             let one = |support: &Json| {
                 let at = number(&support["at"]);
-                let slope = (or(support, "slope", 0.0) - self.shape.as_ref().map_or(0.0, |shape| shape.slope(at))) * length;
+                let slope =
+                    (or(support, "slope", 0.0) - self.shape.as_ref().map_or(0.0, |shape| shape.slope(at))) * length;
                 let turning = support.get("turning_stiffness").map(|k| Some(number(k) * length / self.stiffness));
                 let turning = turning.or((support["built_in"] == true).then_some(None));
                 let own = self.shape.as_ref().map_or(0.0, |shape| shape.depth(at, near));
@@ -199,9 +200,8 @@ impl Problem {
         let middle = 0.5 * (from + to) * self.length;
         let ends = [from, to].map(|x| {
             let parts = self.linear.iter().filter(|[from, to, ..]| *from < middle && middle < *to);
-            let line = |[from, to, start, end]: &[f64; 4]| {
-                start + (end - start) / (to - from) * (x * self.length - from)
-            };
+            let line =
+                |[from, to, start, end]: &[f64; 4]| start + (end - start) / (to - from) * (x * self.length - from);
             self.uniform + parts.map(line).sum::<f64>()
         });
         ends.map(|q| q * self.length * self.unit())

@@ -100,7 +100,8 @@ impl Mesh<'_> {
             let inside = 0 < i && pressed[i - 1..(i + 3).min(count)].iter().all(|pressed| *pressed);
             let below = if inside { 1e3 * below } else { below };
             let is_below = |t: f64| {
-                let hangs = h * h * h * h * (a + b) / (48.0 * self.element(i).stiffness) * t * t * (1.0 - t) * (1.0 - t);
+                let hangs =
+                    h * h * h * h * (a + b) / (48.0 * self.element(i).stiffness) * t * t * (1.0 - t) * (1.0 - t);
                 let v = between(h, t, &self.values[2 * i..])[0] - self.problem.gap(x + t * h).into();
                 below * size < v.near() + hangs
             };

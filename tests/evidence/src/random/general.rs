@@ -165,7 +165,8 @@ impl Draw {
         self.places.extend_from_slice(&holds);
         let single = holds.len() == 1;
         for (i, at) in holds.into_iter().enumerate() {
-            let level = if self.random.once_in(5) { short(0.1 * self.sag * self.random.between(-1.0, 1.0)) } else { 0.0 };
+            let level =
+                if self.random.once_in(5) { short(0.1 * self.sag * self.random.between(-1.0, 1.0)) } else { 0.0 };
             let mut keys = format!("at = {at:?}, level = {level:?}");
             let on_spring = springs && (i == 0 || self.random.once_in(2));
             let turns = turning && (i == 0 || self.random.once_in(2));
@@ -213,12 +214,12 @@ impl Draw {
                 format!("cosine = {{ {wave} }}\n")
             }
             _ => {
-                let mut x: Vec<f64> = (0..2 + self.random.below(4)).map(|_| short(self.random.between(0.0, l))).collect();
+                let mut x: Vec<f64> =
+                    (0..2 + self.random.below(4)).map(|_| short(self.random.between(0.0, l))).collect();
                 x.extend([0.0, l]);
                 x.sort_by(f64::total_cmp);
                 x.dedup();
-                let points: Vec<[f64; 2]> =
-                    x.into_iter().map(|x| [x, short(base + part(&mut self.random))]).collect();
+                let points: Vec<[f64; 2]> = x.into_iter().map(|x| [x, short(base + part(&mut self.random))]).collect();
                 format!("points = {points:?}\n")
             }
         };
