@@ -10,7 +10,9 @@
 //! S_l = 1/L ∫ q ξ (L − ξ)(2L − ξ) dξ,    S_r = 1/L ∫ q ξ (L² − ξ²) dξ,    ξ from the left end
 //! ```
 //!
-//! so that `S = q L³/4` for a uniform load. Where two spans meet their slopes are the same: the equation of three moments (Clapeyron
+//! so that `S = q L³/4` for a uniform load. Where the bending stiffness changes between the nodes, or where joints are, other
+//! [factors](bent) take the place of `2L` and `L`, with the least `EI`. A joint at a node turns by `M/k`, and a hinge is a node: its moment is
+//! zero, and its deflection is the one for which no force acts there. Where two spans meet their slopes are the same: the equation of three moments (Clapeyron
 //! 1857). Where a slope is given, by a built-in end or by ground that the beam follows, each side has an equation of its own; where the
 //! place is not given as well, that is the equation for it. Beyond the outermost nodes that hold it the beam hangs over, and statics
 //! give its moment there. Forces follow from moments: with the reactions `A` of a span to its own load
@@ -19,6 +21,7 @@
 //! V_l = (M_r − M_l)/L + A_l,    V_r = (M_r − M_l)/L − A_r,    R = V(x+) − V(x−) + P
 //! ```
 
+mod bent;
 mod springs;
 mod what;
 
@@ -27,7 +30,8 @@ pub use what::What;
 
 use crate::scene::{Concentrated, Foundation, Scene};
 use crate::state::SupportForce;
-use crate::theory::{Exact, gauss::Gauss};
+use crate::theory::Exact;
+use bent::{Bent, each_load};
 
 /// Places that are one, as a share of the length of the beam.
 const SAME: f64 = 1e-12;
@@ -56,6 +60,8 @@ pub struct Node {
     pub couple: f64,
     /// The force there, upwards on the beam \[force\].
     pub force: f64,
+    /// The stiffness of a joint there, zero of a hinge \[force · length\].
+    pub joint: Option<f64>,
 }
 
 /// A stretch of the beam between two neighbouring nodes, off the ground.
@@ -65,6 +71,8 @@ pub struct Span {
     pub left: usize,
     /// `L` \[length\].
     pub length: f64,
+    /// What moments of its ends bend it by: `2L`, `L` and `2L` of a beam that does not change on it \[length\].
+    pub bend: [f64; 3],
     /// `S_l` and `S_r` \[force · length²\].
     pub load: [f64; 2],
     /// `A_l` and `A_r` \[force\].
@@ -116,7 +124,7 @@ pub struct Explanation {
     pub equations: Vec<Equation>,
     /// Where supports are off which the beam has lifted: no nodes \[length\].
     pub lifted: Vec<f64>,
-    /// `6 EI`.
+    /// `6 EI`, with the least bending stiffness.
     pub stiffness: f64,
 }
 
@@ -141,6 +149,10 @@ impl Explanation {
             let [before, behind] =
                 [self.spans.iter().any(|span| span.left + 1 == i), self.spans.iter().any(|span| span.left == i)];
             let is_place = matches!(node.what, What::Point | What::ZoneEnd);
+            if node.joint == Some(0.0) {
+                unknowns.extend((node.what == What::Hinge).then_some((i, None)));
+                continue;
+            }
             if node.slope.is_some() && !is_place {
                 unknowns.extend([(before, false), (behind, true)].iter().filter(|(is, _)| *is).map(|s| (i, Some(s.1))));
             } else if before && behind {
@@ -197,6 +209,7 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<Node> {
         };
         scene.foundation().into_iter().chain(beam.shape()).any(at_vertex)
     };
+    let is_joined = |x: f64| beam.joints().iter().any(|joint| (joint.at - x).abs() <= SAME * length);
     // What it is, its force, and whether the beam follows the ground there.
     let mut found: Vec<(f64, What, f64, bool)> = Vec::new();
     for support in state.supports.iter().filter(|support| !has_lifted(support)) {
@@ -211,18 +224,23 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<Node> {
             _ if contact.from <= 0.0 || length <= contact.from => {
                 found.push((contact.from, What::Tip, contact.force, false));
             }
-            _ if is_corner(contact.from) => found.push((contact.from, What::Corner, contact.force, false)),
+            // A joint is a corner of the beam.
+            _ if is_corner(contact.from) || is_joined(contact.from) => {
+                found.push((contact.from, What::Corner, contact.force, false))
+            }
             _ => found.push((contact.from, What::Point, contact.force, true)),
         }
     }
+    let hinges = beam.joints().iter().filter(|joint| joint.stiffness.is_none());
+    found.extend(hinges.map(|hinge| (hinge.at, What::Hinge, 0.0, false)));
     found.extend([0.0, length].map(|end| (end, What::End, 0.0, false)));
     // Several at one place are one, of the kind of the first; their forces add up.
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
     found.dedup_by(|next, kept| {
         let same = (next.0 - kept.0).abs() <= SAME * length;
         if same {
-            // A support or a contact rather than an end of the beam.
-            let what = if kept.1 == What::End { next.1 } else { kept.1 };
+            // A support or a contact rather than an end of the beam or a hinge.
+            let what = if matches!(kept.1, What::End | What::Hinge) { next.1 } else { kept.1 };
             *kept = (kept.0, what, kept.2 + next.2, kept.3 || next.3);
         }
         same
@@ -242,7 +260,10 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<Node> {
             What::End => [load, 0.0],
             _ => [if here < x { beside(0, -here) } else { 0.0 }, if x + here < length { beside(1, here) } else { 0.0 }],
         };
-        Node { what, x, deflection, slope: follows.then(|| exact.slope(x)), moments, shears, load, couple, force }
+        let joint = beam.joints().iter().find(|joint| (joint.at - x).abs() <= SAME * length);
+        let joint = joint.map(|joint| joint.stiffness.unwrap_or(0.0));
+        let slope = follows.then(|| exact.slope(x));
+        Node { what, x, deflection, slope, moments, shears, load, couple, force, joint }
     };
     found.into_iter().map(node).collect()
 }
@@ -260,8 +281,9 @@ fn is_in_zone(exact: &Exact, from: f64, to: f64) -> bool {
 fn spans(scene: &Scene, exact: &Exact, nodes: &[Node]) -> Vec<Span> {
     let span = |(left, pair): (usize, &[Node])| {
         let [from, to] = [pair[0].x, pair[1].x];
-        let (load, reactions, load_size) = load_terms(scene, from, to);
-        (!is_in_zone(exact, from, to)).then_some(Span { left, length: to - from, load, reactions, load_size })
+        let Bent { bend, load, reactions, size } = Bent::of(scene, [from, to]);
+        let length = to - from;
+        (!is_in_zone(exact, from, to)).then_some(Span { left, length, bend, load, reactions, load_size: size })
     };
     let overhang = |span: &Span| [span.left, span.left + 1].iter().any(|&node| nodes[node].what == What::End);
     nodes.windows(2).enumerate().filter_map(span).filter(|span| !overhang(span)).collect()
@@ -292,41 +314,6 @@ fn overhangs(scene: &Scene, exact: &Exact, nodes: &[Node]) -> Vec<Overhang> {
     [(0, 1), (last, last.saturating_sub(1))].into_iter().filter(|_| 0 < last).filter(hangs).map(of).collect()
 }
 
-/// The load strictly between two places as couples and as forces that have its resultant and its next three moments.
-fn each_load(scene: &Scene, from: f64, to: f64, mut visit: impl FnMut(Concentrated)) {
-    /// Of these integrals under a linear load.
-    const DEGREE: usize = 4;
-    let (rule, load) = (Gauss::exact_to(DEGREE), scene.load());
-    load.concentrated().filter(|acts| from < acts.at && acts.at < to).for_each(&mut visit);
-    for part in load.spread(scene.beam().length()) {
-        // Of a part that is outside nothing is left, with weights of zero.
-        let [start, end] = [part.from, part.to].map(|x| x.max(from).min(to));
-        let force = |at: f64, weight: f64| Concentrated { at, force: part.intensity(at) * weight, couple: 0.0 };
-        rule.points(start, end).for_each(|(x, weight)| visit(force(x, weight)));
-    }
-}
-
-/// `S` and `A` at both ends of the load between two places, and the sum of both `S` without signs.
-fn load_terms(scene: &Scene, from: f64, to: f64) -> ([f64; 2], [f64; 2], f64) {
-    let (length, here) = (to - from, SAME * scene.beam().length());
-    let (mut sum, mut reactions, mut size) = ([0.0; 2], [0.0; 2], 0.0);
-    each_load(scene, from, to, |Concentrated { at, force, couple }| {
-        let (xi, rest) = (at - from, to - at);
-        let (common, turned) = (force * xi * rest / length, couple / length);
-        // Of a couple what a force does, differentiated by its place.
-        let left = common * (length + rest) + turned * (rest * (length + rest) - xi * (length + 2.0 * rest));
-        let right = common * (length + xi) + turned * ((rest - xi) * (length + xi) + xi * rest);
-        reactions = [reactions[0] - turned, reactions[1] + turned];
-        sum = [sum[0] + left, sum[1] + right];
-        // What is so near to a node is a load on it, with a lever for moments.
-        if here < xi && here < rest {
-            reactions = [reactions[0] + force * rest / length, reactions[1] + force * xi / length];
-        }
-        size += left.abs() + right.abs();
-    });
-    (sum, reactions, size)
-}
-
 /// The equations at a node: one for each side with a given slope, one for both where the slope is not given.
 fn equations(nodes: &[Node], spans: &[Span], node: usize, stiffness: f64) -> Vec<Equation> {
     let before = spans.iter().position(|span| span.left + 1 == node);
@@ -337,14 +324,17 @@ fn equations(nodes: &[Node], spans: &[Span], node: usize, stiffness: f64) -> Vec
     };
     // Moments of a span seen from its right end and from its left one.
     let from_right = |span: usize| {
-        let Span { left, length, .. } = spans[span];
-        [(left, true, length), (left + 1, false, 2.0 * length)]
+        let Span { left, bend: [_, across, own], .. } = spans[span];
+        [(left, true, across), (left + 1, false, own)]
     };
     let from_left = |span: usize| {
-        let Span { left, length, .. } = spans[span];
-        [(left, true, 2.0 * length), (left + 1, false, length)]
+        let Span { left, bend: [own, across, _], .. } = spans[span];
+        [(left, true, own), (left + 1, false, across)]
     };
+    // What the beam turns by in a joint between the two.
+    let joint = |joint: f64| (node, false, stiffness / joint);
     match (nodes[node].slope, before, behind) {
+        _ if nodes[node].joint == Some(0.0) => Vec::new(),
         (Some(slope), ..) => {
             let turned = stiffness * slope;
             let left = before.map(|span| Equation {
@@ -366,7 +356,11 @@ fn equations(nodes: &[Node], spans: &[Span], node: usize, stiffness: f64) -> Vec
         (None, Some(before), Some(behind)) => vec![Equation {
             node,
             spans: [Some(before), Some(behind)],
-            terms: from_right(before).into_iter().chain(from_left(behind)).collect(),
+            terms: from_right(before)
+                .into_iter()
+                .chain(nodes[node].joint.map(joint))
+                .chain(from_left(behind))
+                .collect(),
             settlement: chord(before) - chord(behind),
             load: spans[before].load[1] + spans[behind].load[0],
         }],

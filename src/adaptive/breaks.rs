@@ -12,7 +12,7 @@ const MOST: u32 = 1000;
 const AT: f64 = 1e-14;
 
 /// The least number of equal intervals with a node at every place where foundation or load break, or at least at every one
-/// where the foundation does, and always at every support; an even number, so that a symmetrical beam has a node in its middle.
+/// where the foundation does, and always at every support, joint and change of the bending stiffness; an even number, so that a symmetrical beam has a node in its middle.
 pub(super) fn common_intervals(scene: &Scene) -> usize {
     let length = scene.beam().length();
     let mut foundation: Vec<f64> = match scene.foundation() {
@@ -21,8 +21,10 @@ pub(super) fn common_intervals(scene: &Scene) -> usize {
     };
     let mut all: Vec<f64> = Vec::new();
     all.extend(scene.load().places(length).map(|x| x / length));
-    // Supports inside have to be nodes, all else ought to be.
-    let inner: Vec<f64> = scene.beam().all_supports().iter().map(|support| support.at / length).collect();
+    // Supports inside, and places where the beam changes, have to be nodes, all else ought to be.
+    let beam = scene.beam();
+    let mut inner: Vec<f64> = beam.all_supports().iter().map(|support| support.at / length).collect();
+    inner.extend(beam.joints().iter().map(|joint| joint.at).chain(beam.changes()).map(|at| at / length));
     if let Some(Foundation::Polyline { points }) = scene.beam().shape() {
         foundation.extend(points.iter().map(|point| point[0] / length));
     }

@@ -38,6 +38,7 @@ pub(super) fn in_intervals<R>(scene: &Scene, balance: Balance, act: impl FnOnce(
         beam.joints().iter().map(|joint| (joint.at, joint.stiffness.unwrap_or(0.0))).collect(),
     );
     joints.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let ground_parts: Vec<([f64; 2], f64)> = scene.ground_parts().collect();
     let stiffest = beam.steps().iter().fold(stiffness, |most, step| most.max(step[1]));
     act(&EnclosedScene {
         gap,
@@ -48,6 +49,7 @@ pub(super) fn in_intervals<R>(scene: &Scene, balance: Balance, act: impl FnOnce(
         stiffest,
         length,
         beam,
+        ground: &ground_parts,
         changes: &changes,
         joints: &joints,
     })

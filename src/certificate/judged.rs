@@ -123,7 +123,7 @@ pub(super) fn cubics<'a>(
     scale: &Scale,
     enclosed: &EnclosedScene<'a>,
 ) -> Option<impl Iterator<Item = Cell> + use<'a>> {
-    let EnclosedScene { stiffness, length, supports, .. } = *enclosed;
+    let EnclosedScene { length, supports, .. } = *enclosed;
     let n = given.x.len();
     if given.deflection.len() != n || given.moment.len() != n {
         return None;
@@ -144,6 +144,7 @@ pub(super) fn cubics<'a>(
     if !reaches || !nodes.is_sorted_by(|a, b| a[0] < b[0]) {
         return None;
     }
+    let enclosed = *enclosed;
     let built_in = move |x: f64| supports.binary_search_by(|s| s.x.total_cmp(&x)).ok().and_then(|i| supports[i].slope);
     Some((1..nodes.len()).map(move |i| {
         let ([a, v0, m0], [b, v1, m1]) = (nodes[i - 1], nodes[i]);
@@ -151,6 +152,7 @@ pub(super) fn cubics<'a>(
             let [width, rise] = [[b, a], [v1, v0]].map(|[to, from]| Interval::exact(to) - Interval::exact(from));
             number(3) * (rise - slope * width) / (width * width) - other / number(2)
         };
+        let stiffness = enclosed.stiffness_between([a, b]);
         let [mut left, mut right] = [m0, m1].map(|moment| -Interval::exact(moment) / Interval::exact(stiffness));
         if let Some(slope) = built_in(a) {
             left = turned(slope, right);

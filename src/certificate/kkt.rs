@@ -3,7 +3,9 @@
 //! The forces on the beam are taken from the state, those of the supports among them. Summed up they are moments, and these summed
 //! up deflections, which are compared with those of the state: no system is solved.
 
-use super::summed::{BATCH, Couple, Summed, Walked};
+use std::collections::BTreeMap;
+
+use super::summed::{BATCH, Change, Summed, Walked};
 use crate::scene::{Grid, Held, Scene, is_same_place};
 use crate::state::{ContactState, Nodes, Reactions, SupportForce};
 
@@ -67,12 +69,15 @@ impl Kkt {
         let mut worst = [0.0; 7];
         let mut at_supports = [0.0; 2];
         let mut supports_ahead = supports.iter().peekable();
-        let [start, slope] = recorded.start()?;
-        let tangents = summed.walk(start, slope, |walked| {
+        let ([start, slope], kinks) = recorded.start()?;
+        let tangents = summed.walk(start, slope, &kinks, |walked| {
             let Walked { first: from, moments, jump, deflections } = walked;
             while let Some(support) = supports_ahead.next_if(|s| s.node < from + deflections.len()) {
                 let off = support.off(deflections[support.node - from], moments[0] * step, jump * step);
                 at_supports = largest_each(at_supports, [off].into_iter());
+            }
+            if recorded.hinges.contains(&from) {
+                at_supports = largest_each(at_supports, [[0.0, (moments[0] * step).abs()]].into_iter());
             }
             // An end of the beam that a support holds is no node of the state.
             let Some(i) = from.checked_sub(first).filter(|i| *i < p.len()) else { return };
@@ -138,6 +143,7 @@ struct Recorded<'a> {
     /// The node of the grid that is the first of the state.
     first: usize,
     supports: Vec<RecordedSupport>,
+    hinges: Vec<usize>,
     /// The beam under `t = q − p − R`.
     summed: Summed,
     /// Sums of the magnitudes of all loads and of all contact forces \[force\].
@@ -185,15 +191,15 @@ impl<'a> Recorded<'a> {
             })
         };
         let supports: Vec<_> = held.into_iter().map(support).collect::<Option<_>>()?;
-        let mut forces = grid.nodal_loads(scene.load());
+        let mut forces = grid.nodal_loads(scene);
         let [load, contact] = [&forces, p].map(|forces| forces.iter().map(|force| force.abs()).sum::<f64>());
         forces[first..].iter_mut().zip(p).for_each(|(q, p)| *q -= p);
         supports.iter().for_each(|support| forces[support.node] -= support.recorded.force);
-        let built_in = supports.iter().filter(|support| support.held.slope.is_some());
-        let couples = built_in.map(|support| Couple { node: support.node, jump: support.recorded.couple }).collect();
+        let changes = changes(scene, &grid, &supports)?;
+        let hinges = changes.iter().filter(|change| change.is_hinge()).map(|change| change.node).collect();
         let stiffness = scene.beam().bending_stiffness();
-        let summed = Summed::of(forces, couples, grid.spacing(), stiffness, nodes.discretisation);
-        Some(Self { nodes, grid, first, supports, summed, load, contact })
+        let summed = Summed::of(forces, changes, grid.spacing(), stiffness, nodes.discretisation);
+        Some(Self { nodes, grid, first, supports, hinges, summed, load, contact })
     }
 
     /// How far the reactions at the left and at the right end are off the forces of the supports there, and how far at most the force
@@ -214,29 +220,46 @@ impl<'a> Recorded<'a> {
     }
 
     /// Deflection of the left end and slope beside it with which the beam goes through two places at which its deflection is known,
-    /// or through one at which its slope is known as well; [`None`] if there are no such places.
-    fn start(&self) -> Option<[f64; 2]> {
+    /// or through one at which its slope is known as well; and what it turns by in its hinges, so that it goes through the deflections at
+    /// hinges and ends. [`None`] if there are no such places.
+    fn start(&self) -> Option<([f64; 2], Vec<f64>)> {
         let known = self.known();
         let mut shot = vec![0.0; known.len()];
-        let tangents = self.summed.walk(0.0, 0.0, |Walked { first, deflections, .. }| {
+        let tangents = self.summed.walk(0.0, 0.0, &[], |Walked { first, deflections, .. }| {
             let here = first..first + deflections.len();
             let seen = known.iter().zip(&mut shot).filter(|((node, _), _)| here.contains(node));
             seen.for_each(|((node, _), height)| *height = deflections[node - first]);
         });
         let lowered = |k: usize| known[k].1 - shot[k];
         let place = |k: usize| self.grid.place(known[k].0);
-        let slope = match known.len() {
+        let slopes: Vec<f64> = match known.len() {
             0 => return None,
-            1 => self.supports.iter().find_map(|support| support.held.slope)? - tangents.first()?,
-            _ => (lowered(1) - lowered(0)) / (place(1) - place(0)),
+            1 => vec![self.supports.iter().find_map(|support| support.held.slope)? - tangents.first()?],
+            _ => (1..known.len()).map(|k| (lowered(k) - lowered(k - 1)) / (place(k) - place(k - 1))).collect(),
         };
-        Some([lowered(0) - slope * place(0), slope])
+        let kinks = slopes.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        Some(([lowered(0) - slopes[0] * place(0), slopes[0]], kinks))
+    }
+
+    /// The deflections at the ends of the beam and in its hinges.
+    fn at_hinges(&self) -> Option<Vec<(usize, f64)>> {
+        let nodes = [0].into_iter().chain(self.hinges.iter().copied()).chain([self.grid.intervals()]);
+        let deflection = |node: usize| {
+            let support = self.supports.iter().find(|support| support.node == node);
+            let held = support.map(|support| support.held.deflection);
+            let recorded = || node.checked_sub(self.first).and_then(|i| self.nodes.deflection.get(i)).copied();
+            Some((node, held.or_else(recorded)?))
+        };
+        nodes.map(deflection).collect()
     }
 
     /// The outermost two nodes at which the deflection is known, or one if there is no other: supports; and of a beam that these do
     /// not hold nodes that press, with the deflection of the state: that with the largest force, or with the largest moment about the
     /// one that is there.
     fn known(&self) -> Vec<(usize, f64)> {
+        if !self.hinges.is_empty() {
+            return self.at_hinges().unwrap_or_default();
+        }
         let of_support = |support: &RecordedSupport| (support.node, support.held.deflection);
         let mut known: Vec<_> = self.supports.first().map(of_support).into_iter().collect();
         known.extend(self.supports[1.min(self.supports.len())..].last().map(of_support));
@@ -267,6 +290,22 @@ impl<'a> Recorded<'a> {
         // Of the state alone: ground that the beam does not reach, however deep, must not loosen the measure.
         [force, nonzero(deepest.max(idle).max(least_deflection(force, length, stiffness)))]
     }
+}
+
+/// Where the beam changes or a support holds its slope, from left to right; [`None`] where that is between two nodes.
+fn changes(scene: &Scene, grid: &Grid, supports: &[RecordedSupport]) -> Option<Vec<Change>> {
+    let beam = scene.beam();
+    let mut all: BTreeMap<usize, Change> = BTreeMap::new();
+    for support in supports.iter().filter(|support| support.held.slope.is_some()) {
+        all.entry(support.node).or_default().couple = Some(support.recorded.couple);
+    }
+    for [x, stiffness] in beam.steps().iter().filter(|_| beam.changes().next().is_some()) {
+        all.entry(grid.node_at(*x)?).or_default().soft = Some(beam.bending_stiffness() / stiffness);
+    }
+    for joint in beam.joints() {
+        all.entry(grid.node_at(joint.at)?).or_default().joint = joint.stiffness.map_or(f64::INFINITY, |k| 1.0 / k);
+    }
+    Some(all.into_iter().map(|(node, change)| Change { node, ..change }).collect())
 }
 
 /// The largest of some numbers, at least 0; infinite if one of them is NaN.

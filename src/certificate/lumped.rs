@@ -76,7 +76,7 @@ impl Lumped {
     /// [`NotLumped`]: a force that is none, or places that are not the inner nodes of equal intervals.
     pub fn new(scene: &Scene, forces: impl IntoIterator<Item = (f64, f64)>) -> Result<Self, NotLumped> {
         scene.is_placed_by_forces()?;
-        scene.is_uniform("a check of contact forces")?;
+        scene.bends_under_forces("a check of contact forces")?;
         scene.is_firm("a check of contact forces")?;
         let length = scene.beam().length();
         let mut inner = ContactLoad::sorted(length, forces)?;
@@ -118,9 +118,9 @@ fn bent(given: &Scene, places: &Grid, first: usize, forces: Vec<f64>) -> Result<
     let grid = Grid::uniform(scene, intervals)?;
     let supports: Vec<Option<usize>> = beam.supports().iter().map(|support| grid.node_at(support.at)).collect();
     let point = |(i, force): (usize, f64)| PointLoad { at: grid.place(i), force };
-    let points = grid.nodal_loads(scene.load()).into_iter().enumerate().map(point).collect();
+    let points = grid.nodal_loads(scene).into_iter().enumerate().map(point).collect();
     let load = Load::new(beam, 0.0, Vec::new(), points)?;
-    let lumped = Scene::above(beam.clone(), load, scene.foundation().cloned(), scene.ground_stiffness())?;
+    let lumped = scene.under(load)?;
     // Supports have any force, and what stands on them is none of theirs.
     let pressing = (first..).zip(&forces).filter(|(node, _)| !supports.contains(&Some(*node)));
     let pressing =
@@ -132,7 +132,8 @@ fn bent(given: &Scene, places: &Grid, first: usize, forces: Vec<f64>) -> Result<
         let cell = bent.partition_point(|(cell, _)| cell[1] <= x).min(bent.len() - 1);
         let ([from, _], v) = &bent[cell];
         let s = Interval::exact(x) - Interval::exact(*from);
-        [v.at(s).middle(), -beam.bending_stiffness() * v.derivative().derivative().at(s).middle()]
+        let stiffness = beam.stiffness_between(bent[cell].0[0], bent[cell].0[1]);
+        [v.at(s).middle(), -stiffness * v.derivative().derivative().at(s).middle()]
     };
     let (deflection, moment): (Vec<f64>, Vec<f64>) = (first..first + forces.len())
         .map(|node| {

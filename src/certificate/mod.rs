@@ -135,9 +135,8 @@ impl Proof {
         let scaled = scene.scaled()?;
         let held = bearings::held(&scaled.scene, witness)?;
         let proven = in_intervals(&held, scaled.balance, |enclosed| {
-            let ground = scaled.scene.ground_stiffness()?;
-            let cut = stretches::cut(enclosed, ground, witness);
-            let (pair, known) = of_pair(enclosed, &scaled, kernel::springs::pair(enclosed, ground, &cut));
+            let cut = stretches::cut(enclosed, witness);
+            let (pair, known) = of_pair(enclosed, &scaled, kernel::springs::pair(enclosed, &cut));
             let known = bearings::of_scene(&scaled.scene, enclosed, &pair.as_ref()?.0, &known)?;
             Some((pair, known))
         });

@@ -3,12 +3,12 @@
 //!
 //! The spring at a node of a mesh stands for the foundation on its share of the beam. So each force is spread evenly over half the
 //! distance to the nearer of its neighbours, on both sides: its resultant stays where it was given. A force at an end of the beam, at a
-//! support that only pushes or without a neighbour stays concentrated.
+//! support that only pushes or without a neighbour stays concentrated. Its spring is that of the foundation on this share, `∫k`.
 //!
 //! Where supports do not hold the beam, forces bend it, and say how deep it is as springs do, over the width `w` of each:
 //!
 //! ```text
-//! v(x_i) ≈ g(x_i) + f_i/(k w_i),      v + a + b x, or v + b (x − x_s) on a single support, by least squares
+//! v(x_i) ≈ g(x_i) + f_i/∫k,      v + a + b x, or v + b (x − x_s) on a single support, by least squares
 //! ```
 //!
 //! What is judged is the beam under the true load and these pressures, in this position. The bound on its error holds whatever the
@@ -30,6 +30,8 @@ pub(super) struct Spread {
     pub(super) x: f64,
     pub(super) force: f64,
     pub(super) width: f64,
+    /// `∫k` over that.
+    pub(super) spring: f64,
 }
 
 /// The forces, from left to right, on a dimensionless scene.
@@ -42,7 +44,21 @@ pub(super) fn spread(scene: &Scene, forces: &ContactLoad) -> Vec<Spread> {
         let stands = scene.beam().bearings().iter().any(|bearing| (bearing.at - x).abs() <= 0.5 * nearest);
         if stands { 0.0 } else { (2.0 * x.min(length - x)).min(nearest) }
     };
-    forces.pressing.iter().map(|&(x, force)| Spread { x, force, width: width(x) }).collect()
+    let parts: Vec<_> = scene.ground_parts().collect();
+    let spring = |x: f64, width: f64| match parts[..] {
+        [(_, k)] => k * width,
+        _ => {
+            let over = |(part, k): &([f64; 2], f64)| {
+                k * (part[1].min(x + 0.5 * width) - part[0].max(x - 0.5 * width)).max(0.0)
+            };
+            parts.iter().map(over).sum()
+        }
+    };
+    let one = |&(x, force): &(f64, f64)| {
+        let width = width(x);
+        Spread { x, force, width, spring: spring(x, width) }
+    };
+    forces.pressing.iter().map(one).collect()
 }
 
 /// The deflection that contact forces cause, those of an elastic foundation as those of springs.
@@ -55,23 +71,26 @@ pub(super) fn caused(scene: &Scene, enclosed: &EnclosedScene<'_>, forces: &Conta
 
 /// The deflection that forces of springs cause; [`None`] where they say nothing of its position.
 pub(super) fn deflection(scene: &Scene, enclosed: &EnclosedScene<'_>, forces: &ContactLoad) -> Option<Vec<Curve>> {
-    let (k, given) = (scene.ground_stiffness()?, spread(scene, forces));
+    scene.ground_stiffness()?;
+    let given = spread(scene, forces);
     let spread = given.iter().filter(|f| 0.0 < f.width).map(|f| {
         let [from, to, pressure] = [f.x - 0.5 * f.width, f.x + 0.5 * f.width, -f.force / f.width];
         LinearLoad { from: from.max(0.0), to: to.min(enclosed.length), start: pressure, end: pressure }
     });
     let (load, beam) = (scene.load(), scene.beam());
     let linear = load.linear().iter().copied().chain(spread).collect();
-    let load = Load::new(beam, load.uniform(), linear, load.point().to_vec()).ok()?;
-    let net = Scene::above(beam.clone(), load, scene.foundation().cloned(), Some(k)).ok()?;
-    let mut net = standing::between(&net);
+    let couples = load.couple().to_vec();
+    let load = Load::new(beam, load.uniform(), linear, load.point().to_vec())
+        .and_then(|load| load.with_couples(beam, couples))
+        .ok()?;
+    let mut net = standing::between(&scene.under(load).ok()?);
     let concentrated = given.iter().filter(|f| f.width <= 0.0);
     net.points.extend(concentrated.map(|f| (f.x, Interval::exact(-f.force))));
     net.points.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut curves = bent(&EnclosedScene { load: &net, ..*enclosed }, &forces.pressing, &[])?;
     if !beam.is_held() {
         let about = beam.supports().first().map(|support| support.at);
-        let [level, slope] = placed(enclosed, &curves, &given, k, about)?;
+        let [level, slope] = placed(enclosed, &curves, &given, about)?;
         for ([from, _], v) in &mut curves {
             let line = Interval::exact(level) + Interval::exact(slope) * Interval::exact(*from);
             *v = v.plus(&Polynomial::new(&[line, Interval::exact(slope)]));
@@ -88,15 +107,9 @@ pub(super) fn at(curves: &[Curve], x: f64) -> f64 {
 }
 
 /// `a` and `b`; about a place, if that is given, `a = −b x_s`.
-fn placed(
-    enclosed: &EnclosedScene<'_>,
-    curves: &[Curve],
-    given: &[Spread],
-    k: f64,
-    about: Option<f64>,
-) -> Option<[f64; 2]> {
-    let lacking = given.iter().filter(|f| 0.0 < f.width).map(|f| {
-        let sunk = f.force / (k * f.width);
+fn placed(enclosed: &EnclosedScene<'_>, curves: &[Curve], given: &[Spread], about: Option<f64>) -> Option<[f64; 2]> {
+    let lacking = given.iter().filter(|f| 0.0 < f.spring).map(|f| {
+        let sunk = f.force / f.spring;
         (f.x, enclosed.gap.depth(f.x).middle() + sunk - at(curves, f.x))
     });
     let lacking: Vec<(f64, f64)> = lacking.collect();

@@ -22,15 +22,14 @@ const SHORT: f64 = 1e-5;
 
 /// The stretches of a scene in dimensionless numbers, cut where ground or load have a break and into short cells; what hangs is one
 /// stretch from support to support or pressed part.
-pub(super) fn cut(enclosed: &EnclosedScene<'_>, ground: f64, given: &[Stretch]) -> Vec<Stretch> {
+pub(super) fn cut(enclosed: &EnclosedScene<'_>, given: &[Stretch]) -> Vec<Stretch> {
     let mut cut = Vec::new();
-    let length = (0.25 * ground / enclosed.stiffness).sqrt().sqrt().recip();
-    let joined = joined(enclosed, length, ground, given);
+    let joined = joined(enclosed, given);
     let widths = joined.iter().filter(|s| !s.sunk.is_empty()).map(|s| s.to - s.from);
     let [together, count] = widths.fold([0.0, 0.0], |[sum, count], width| [sum + width, count + 1.0]);
     let fewest = (FEWEST[1] / count).clamp(1.0, FEWEST[0]);
     for stretch in joined {
-        let width = stretch.to - stretch.from;
+        let (width, length) = (stretch.to - stretch.from, length(enclosed, &stretch));
         if stretch.sunk.is_empty() {
             cut.push(stretch);
         } else if width <= MOST_LENGTHS * length {
@@ -45,10 +44,17 @@ pub(super) fn cut(enclosed: &EnclosedScene<'_>, ground: f64, given: &[Stretch]) 
         let (presses, at) = (!stretch.sunk.is_empty(), [(stretch.from, false), (stretch.to, true)]);
         for (end, (x, left)) in stretch.ends.iter_mut().zip(at) {
             let gap = enclosed.gap.jet(x, left).map(|g| if presses { g.middle() } else { 0.0 });
-            (end[2], end[3]) = (-enclosed.stiffness * (end[2] + gap[2]), -enclosed.stiffness * (end[3] + gap[3]));
+            let stiffness = enclosed.stiffness_beside(x, left).middle();
+            (end[2], end[3]) = (-stiffness * (end[2] + gap[2]), -stiffness * (end[3] + gap[3]));
         }
     }
     cut
+}
+
+/// `1/λ` of a stretch; without end where there is no ground.
+fn length(enclosed: &EnclosedScene<'_>, stretch: &Stretch) -> f64 {
+    let ends = [stretch.from, stretch.to];
+    (0.25 * enclosed.ground_between(ends) / enclosed.stiffness_between(ends)).sqrt().sqrt().recip()
 }
 
 /// What hangs between two supports or pressed stretches as one stretch.
@@ -67,7 +73,7 @@ fn spans(enclosed: &EnclosedScene<'_>, given: &[Stretch]) -> Vec<Stretch> {
 }
 
 /// With what hangs in one, and without what hangs over next to nothing.
-fn joined(enclosed: &EnclosedScene<'_>, length: f64, ground: f64, given: &[Stretch]) -> Vec<Stretch> {
+fn joined(enclosed: &EnclosedScene<'_>, given: &[Stretch]) -> Vec<Stretch> {
     let mut joined: Vec<Stretch> = Vec::new();
     let mut stretches = spans(enclosed, given).into_iter().peekable();
     while let Some(stretch) = stretches.next() {
@@ -75,7 +81,7 @@ fn joined(enclosed: &EnclosedScene<'_>, length: f64, ground: f64, given: &[Stret
             let (v, gap) = (stretch.ends[usize::from(left)], enclosed.gap.jet(x, left));
             [0, 1, 2, 3].map(|j| v[j] - gap[j].middle())
         });
-        let joins = is_negligible(enclosed, ground, &stretch, sunk.map(|w| w[0]));
+        let joins = is_negligible(enclosed, &stretch, sunk.map(|w| w[0]));
         let with = |beside: &Stretch, x: f64| joins && !beside.sunk.is_empty() && is_smooth(enclosed, x);
         if let Some(last) = joined.last_mut().filter(|last| with(last, stretch.from)) {
             (last.to, last.ends[1]) = (stretch.to, sunk[1]);
@@ -86,16 +92,19 @@ fn joined(enclosed: &EnclosedScene<'_>, length: f64, ground: f64, given: &[Stret
             joined.push(stretch);
         }
     }
-    without_slivers(enclosed, length, joined)
+    without_slivers(enclosed, joined)
 }
 
 /// Whether a stretch that hangs may be taken for pressed: it is short, ground and load have one formula all over it, and the tension that
 /// this cuts off costs less than the rounding of its curvature does, a difference of two given depths or slopes over its width.
-fn is_negligible(enclosed: &EnclosedScene<'_>, ground: f64, stretch: &Stretch, sunk: [f64; 2]) -> bool {
+fn is_negligible(enclosed: &EnclosedScene<'_>, stretch: &Stretch, sunk: [f64; 2]) -> bool {
+    let ends = [stretch.from, stretch.to];
+    let [ground, stiffness] = [enclosed.ground_between(ends), enclosed.stiffness_between(ends)];
     let width = stretch.to - stretch.from;
     let one_formula = || {
         enclosed.gap.is_smooth_between(stretch.from, stretch.to)
-            && enclosed.load.breaks(stretch.from, stretch.to).is_empty()
+            && enclosed.breaks(stretch.from, stretch.to).is_empty()
+            && 0.0 < ground
     };
     if !stretch.sunk.is_empty() || SHORT * enclosed.length < width || !one_formula() {
         return false;
@@ -105,17 +114,17 @@ fn is_negligible(enclosed: &EnclosedScene<'_>, ground: f64, stretch: &Stretch, s
     // At a support the kernel knows the depth, elsewhere what the ground rises by.
     let is_held = [stretch.from, stretch.to].iter().any(|x| enclosed.support(*x).is_some());
     let bent = 6.0 / width * if is_held { rounding(0) / width } else { rounding(1) };
-    ground * most(sunk) * most(sunk) <= enclosed.stiffness * bent * bent
+    ground * most(sunk) * most(sunk) <= stiffness * bent * bent
 }
 
-/// True where neither ground nor load nor a support makes a difference between the two sides.
+/// True where neither ground nor load nor beam nor a support makes a difference between the two sides.
 fn is_smooth(enclosed: &EnclosedScene<'_>, x: f64) -> bool {
-    let is_loaded_alike = enclosed.load.breaks(x.next_down(), x.next_up()).is_empty();
+    let is_loaded_alike = enclosed.breaks(x.next_down(), x.next_up()).is_empty();
     enclosed.support(x).is_none() && enclosed.gap.is_smooth_at(x) && is_loaded_alike
 }
 
 /// Continues polynomials over what is far shorter beside them: over a short cell curvatures are rounding.
-fn without_slivers(enclosed: &EnclosedScene<'_>, length: f64, stretches: Vec<Stretch>) -> Vec<Stretch> {
+fn without_slivers(enclosed: &EnclosedScene<'_>, stretches: Vec<Stretch>) -> Vec<Stretch> {
     /// Of the stretch beside it: so far a polynomial may be continued.
     const SLIVER: f64 = 0.2;
     let mut whole: Vec<Stretch> = Vec::new();
@@ -123,7 +132,7 @@ fn without_slivers(enclosed: &EnclosedScene<'_>, length: f64, stretches: Vec<Str
     while let Some(stretch) = rest.next() {
         let far_shorter = |beside: &Stretch, x: f64| {
             let pressed = !stretch.sunk.is_empty() && !beside.sunk.is_empty();
-            let decays = beside.to - beside.from <= MOST_LENGTHS * length;
+            let decays = beside.to - beside.from <= MOST_LENGTHS * length(enclosed, beside);
             pressed
                 && decays
                 && stretch.to - stretch.from <= SLIVER * (beside.to - beside.from)
@@ -145,7 +154,7 @@ fn without_slivers(enclosed: &EnclosedScene<'_>, length: f64, stretches: Vec<Str
 fn cells(enclosed: &EnclosedScene<'_>, most: f64, stretch: &Stretch, cut: &mut Vec<Stretch>) {
     let (from, to) = (stretch.from, stretch.to);
     let most = most.min(to - from);
-    let (breaks, loads) = (enclosed.gap.breaks(from, to), enclosed.load.breaks(from, to));
+    let (breaks, loads) = (enclosed.gap.breaks(from, to), enclosed.breaks(from, to));
     let (smooth, mut ends): (Vec<f64>, Vec<f64>) = breaks.into_iter().partition(|x| enclosed.gap.is_smooth_at(*x));
     // As many cells as a smooth profile has, and no other ends of its.
     let most =

@@ -7,7 +7,8 @@
 //!
 //! with the forces `t` downwards, those of the supports among them, and the curvature share `c_i = M_i` of finite differences or
 //! `(M_{i−1} + 4 M_i + M_{i+1})/6` of an exact beam. Both are the same [`DoubleSum`]. Where the beam is built in, `M` jumps by the
-//! couple that the support exerts. No system is solved: the force and the moment behind the right end are left over, and deflections
+//! couple that the support exerts. Where its stiffness changes, each side of the node has a half of `c` with its own `EI`; in a joint `θ`
+//! jumps by `−M/k`, and in a hinge by what is given. No system is solved: the force and the moment behind the right end are left over, and deflections
 //! start at a given level and slope.
 
 use super::double_sum::DoubleSum;
@@ -16,12 +17,23 @@ use crate::state::Discretisation;
 /// Nodes of a step of a walk: few enough for the nearest cache.
 pub(super) const BATCH: usize = 256;
 
-/// A place at which the beam is built in.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Couple {
+/// A node at which the beam changes, or is held against turning.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Change {
     pub(super) node: usize,
-    /// By how much the moment is larger behind it \[force · length\].
-    pub(super) jump: f64,
+    /// By how much the moment is larger behind it, where a support holds the slope \[force · length\].
+    pub(super) couple: Option<f64>,
+    /// The least bending stiffness over that of the beam behind it, where that changes.
+    pub(super) soft: Option<f64>,
+    /// How far a joint turns for each unit of its moment, [`f64::INFINITY`] of a hinge.
+    pub(super) joint: f64,
+}
+
+impl Change {
+    /// Whether it is a hinge.
+    pub(super) fn is_hinge(&self) -> bool {
+        self.joint.is_infinite()
+    }
 }
 
 /// Neighbouring nodes of a walk.
@@ -45,16 +57,16 @@ pub(super) struct Summed {
     shares: [f64; 2],
     /// `M_i/Δ` to the left of all nodes \[force\].
     moments: Vec<f64>,
-    couples: Vec<Couple>,
+    changes: Vec<Change>,
     /// The shear force and the moment behind the right end, which are zero in equilibrium.
     pub(super) left_over: [f64; 2],
 }
 
 impl Summed {
-    /// From forces at all nodes, at a distance of `step`, and couples from left to right.
+    /// From forces at all nodes, at a distance of `step`, and what changes, from left to right, of a beam of a least bending stiffness.
     pub(super) fn of(
         mut forces: Vec<f64>,
-        couples: Vec<Couple>,
+        changes: Vec<Change>,
         step: f64,
         stiffness: f64,
         discretisation: Discretisation,
@@ -67,14 +79,14 @@ impl Summed {
         let mut sums = DoubleSum::from(0.0, -forces[0]);
         forces[0] = 0.0;
         let mut next = 1;
-        for couple in &couples {
-            sums.along(&mut forces[next..=couple.node.max(next - 1)]);
-            sums.raise(couple.jump / step);
-            next = next.max(couple.node + 1);
+        for (node, couple) in changes.iter().filter_map(|change| Some((change.node, change.couple?))) {
+            sums.along(&mut forces[next..=node.max(next - 1)]);
+            sums.raise(couple / step);
+            next = next.max(node + 1);
         }
         sums.along(&mut forces[next..]);
         let left_over = [sums.slope(), sums.height() * step];
-        Self { step, shares, moments: forces, couples, left_over }
+        Self { step, shares, moments: forces, changes, left_over }
     }
 
     /// By how much the slope changes between a node and the interval beside it.
@@ -82,47 +94,59 @@ impl Summed {
         self.shares[0] * own + self.shares[1] * beside
     }
 
-    /// Along the whole beam, some nodes at a time, with a given deflection at the left end and a slope in the first interval. Returns
-    /// the slopes of the tangents where the beam is built in.
-    pub(super) fn walk(&self, deflection: f64, slope: f64, mut visit: impl FnMut(Walked<'_>)) -> Vec<f64> {
-        let Self { step, moments, couples, .. } = self;
+    /// Along the whole beam, some nodes at a time, with a given deflection at the left end, a slope in the first interval, and what the slope
+    /// grows by in each hinge, nothing where none is given. Returns the slopes of the tangents where a support holds the slope.
+    pub(super) fn walk(
+        &self,
+        deflection: f64,
+        slope: f64,
+        kinks: &[f64],
+        mut visit: impl FnMut(Walked<'_>),
+    ) -> Vec<f64> {
+        let Self { step, moments, changes, .. } = self;
         let last = moments.len() - 1;
         let [own, beside] = [2.0 * self.shares[0] * step, self.shares[1] * step];
-        let jump_at =
-            |node: usize| couples.iter().find(|couple| couple.node == node).map_or(0.0, |couple| couple.jump / step);
+        let at = |node: usize| changes.iter().find(|change| change.node == node).copied().unwrap_or_default();
+        let jump = |change: &Change| change.couple.map_or(0.0, |couple| couple / step);
         let mut sums = DoubleSum::from(deflection, slope * step);
-        let mut tangents = Vec::with_capacity(couples.len());
-        let mut right = moments[0] + jump_at(0);
-        if couples.first().is_some_and(|couple| couple.node == 0) {
-            tangents.push(slope + self.turn(right, moments[1]));
+        let (mut tangents, mut kinks) = (Vec::with_capacity(changes.len()), kinks.iter());
+        let first = at(0);
+        let (mut right, mut soft) = (moments[0] + jump(&first), first.soft.unwrap_or(1.0));
+        if first.couple.is_some() {
+            tangents.push(slope + soft * self.turn(right, moments[1]));
         }
-        visit(Walked { first: 0, moments: &moments[..1], jump: jump_at(0), deflections: &[deflection] });
+        visit(Walked { first: 0, moments: &moments[..1], jump: jump(&first), deflections: &[deflection] });
         let (mut from, mut falls) = (0, [0.0; BATCH]);
-        for to in couples.iter().map(|couple| couple.node).filter(|node| (1..last).contains(node)).chain([last]) {
+        for to in changes.iter().map(|change| change.node).filter(|node| (1..last).contains(node)).chain([last]) {
             let mut before = right;
             let mut first = from + 1;
             for batch in moments[first..to].chunks(BATCH) {
                 let after = moments[first + 1..].iter();
                 let falls = &mut falls[..batch.len()];
                 for ((fall, m), after) in falls.iter_mut().zip(batch).zip(after) {
-                    *fall = own * m + beside * (before + after);
+                    *fall = soft * (own * m + beside * (before + after));
                     before = *m;
                 }
                 sums.along(falls);
                 visit(Walked { first, moments: batch, jump: 0.0, deflections: falls });
                 first += batch.len();
             }
-            // A couple or the end: one side at a time.
-            let [left, jump] = [moments[to], jump_at(to)];
-            let before = self.turn(left, before);
-            let behind = if to < last { self.turn(left + jump, moments[to + 1]) } else { 0.0 };
-            if couples.iter().any(|couple| couple.node == to) {
+            // A change or the end: one side at a time.
+            let (left, change) = (moments[to], at(to));
+            let before = soft * self.turn(left, before);
+            soft = change.soft.unwrap_or(soft);
+            let behind = if to < last { soft * self.turn(left + jump(&change), moments[to + 1]) } else { 0.0 };
+            if change.couple.is_some() {
                 tangents.push(sums.slope() / step - before);
             }
-            let mut fall = [(before + behind) * step];
+            let turned = match change.is_hinge() {
+                true => -kinks.next().copied().unwrap_or(0.0),
+                false => change.joint * left * step,
+            };
+            let mut fall = [(before + behind + turned) * step];
             sums.along(&mut fall);
-            visit(Walked { first: to, moments: &moments[to..=to], jump, deflections: &fall });
-            (from, right) = (to, left + jump);
+            visit(Walked { first: to, moments: &moments[to..=to], jump: jump(&change), deflections: &fall });
+            (from, right) = (to, left + jump(&change));
         }
         tangents
     }

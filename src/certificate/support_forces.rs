@@ -41,9 +41,9 @@ pub(super) fn forces(
     let by_statics = by_statics(scene, load, enclosed, pair);
     let load = resultant(load, enclosed.length);
     let mut supports = by_statics.unwrap_or_else(|| supports(enclosed, pair, load));
-    if let Some(ground) = scene.ground_stiffness() {
+    if scene.ground_stiffness().is_some() {
         let width = |of: &Interval| of.hi() - of.lo();
-        for (bracket, sprung) in supports.iter_mut().zip(on_springs(enclosed, ground, pair)) {
+        for (bracket, sprung) in supports.iter_mut().zip(on_springs(enclosed, pair)) {
             *bracket = bracket.filter(|known| width(known) <= width(&sprung)).or(Some(sprung));
         }
     }
@@ -62,12 +62,12 @@ pub(super) fn forces(
 /// |R − R*| ≤ √( 2 gap ∫ (EI φ''² + k φ²) dx ),    φ = 1 − 3t² + 2t³ for t = s/w:    12 EI/w³ + 13 k w/35 on each side
 /// ```
 ///
-/// for the forces of the pair, least where `w⁴ = 36·35 EI / 13 k`. Where statics alone give the forces of the supports, `φ` is a line, with
+/// with the greatest `EI` and `k`, for the forces of the pair, least where `w⁴ = 36·35 EI / 13 k`. Where statics alone give the forces of the supports, `φ` is a line, with
 /// `∫ k φ² dx` alone, which is less on soft ground. `R` is one of the reactions of the pair, which enclose what is cut off: each
 /// support takes no more than the share that is added on both sides.
-fn on_springs(enclosed: &EnclosedScene<'_>, ground: f64, pair: &Pair) -> Vec<Interval> {
-    let (stiffness, k) = (Interval::exact(enclosed.stiffness), Interval::exact(ground));
-    let widest = (36.0 * 35.0 / 13.0 * enclosed.stiffness / ground).sqrt().sqrt();
+fn on_springs(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Interval> {
+    let [k, stiffness] = [enclosed.stiffest_ground(), enclosed.stiffest].map(Interval::exact);
+    let widest = (36.0 * 35.0 / 13.0 * enclosed.stiffest / enclosed.stiffest_ground()).sqrt().sqrt();
     let side = |width: f64| {
         let w = Interval::exact(width);
         number(12) * stiffness / (w * w * w) + number(13) * k * w / number(35)

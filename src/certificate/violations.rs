@@ -61,7 +61,7 @@ pub struct Violation {
 ///
 /// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled.
 pub fn violations(scene: &Scene, given: &ContactLoad) -> Result<Vec<Violation>, SceneError> {
-    scene.is_uniform("a check of contact forces")?;
+    scene.bends_under_forces("a check of contact forces")?;
     scene.is_firm("a check of contact forces")?;
     enclosed(scene, |enclosed, scaled| {
         let scale = &scaled.scale;
@@ -89,11 +89,11 @@ pub fn violations(scene: &Scene, given: &ContactLoad) -> Result<Vec<Violation>, 
 
 /// By how much the worst of the forces is off that of the springs which it stands for, of the true foundation below its share of the beam.
 fn of_springs(scaled: &Scaled, enclosed: &EnclosedScene<'_>, forces: &ContactLoad) -> Option<Violation> {
-    let k = scaled.scene.ground_stiffness()?;
+    scaled.scene.ground_stiffness()?;
     let beam = spread::deflection(&scaled.scene, enclosed, forces)?;
     let off = spread::spread(&scaled.scene, forces).into_iter().filter(|f| 0.0 < f.width).map(|f| {
         let sunk = spread::at(&beam, f.x) - enclosed.gap.depth(f.x).middle();
-        (f.x, (f.force - k * f.width * sunk.max(0.0)).abs())
+        (f.x, (f.force - f.spring * sunk.max(0.0)).abs())
     });
     let (at, amount) = worst(off);
     let relative = share(amount, sum(forces));

@@ -53,6 +53,22 @@ const FORMULAS: [[&str; 2]; 3] = [
     ],
 ];
 
+/// The same of a beam that changes between its nodes.
+const CHANGING: [[&str; 2]; 3] = [
+    [
+        "Ba M(left) + (Ba,right + Bb,left) M(i) + Bb M(right) = 6 EI [(v(i) - v(left))/La - (v(right) - v(i))/Lb] - Sa - Sb",
+        r"B_a M_{i-1} + (B_a^r + B_b^l) M_i + B_b M_{i+1} = 6EI\left[\frac{v_i - v_{i-1}}{L_a} - \frac{v_{i+1} - v_i}{L_b}\right] - S_a - S_b",
+    ],
+    [
+        "B M(left) + Bright M(i-) = 6 EI [(v(i) - v(left))/L - v'(i)] - S",
+        r"B M_{i-1} + B^r M_i^- = 6EI\left[\frac{v_i - v_{i-1}}{L} - v_i'\right] - S",
+    ],
+    [
+        "Bleft M(i+) + B M(right) = 6 EI [v'(i) - (v(right) - v(i))/L] - S",
+        r"B^l M_i^+ + B M_{i+1} = 6EI\left[v_i' - \frac{v_{i+1} - v_i}{L}\right] - S",
+    ],
+];
+
 /// The equations of an exact answer.
 pub(super) fn text(input: &Input, answer: &Answer, form: Explained) -> String {
     let (labels, verdict) = (input.labels(), &answer.solution.verdict);
@@ -70,7 +86,8 @@ pub(super) fn text(input: &Input, answer: &Answer, form: Explained) -> String {
         return head + &chain::text(&chain, &labels, form);
     }
     let found = Explanation::of(&input.scene, exact);
-    let page = Page { moment: found.moment(), found, labels, form };
+    let changes = input.scene.is_uniform("").is_err();
+    let page = Page { moment: found.moment(), found, labels, form, changes };
     let shaped = input.scene.beam().shape().is_some();
     head + &page.nodes(shaped) + &page.spans() + &page.overhangs() + &page.equations() + &page.forces()
 }
@@ -82,6 +99,8 @@ struct Page {
     form: Explained,
     /// What moments are rounded beside.
     moment: f64,
+    /// Whether the beam changes along its length.
+    changes: bool,
 }
 
 impl Page {
@@ -139,15 +158,23 @@ impl Page {
         if self.found.spans.is_empty() {
             return String::new();
         }
+        let bends = |span: &Span| if self.changes { span.bend.to_vec() } else { Vec::new() };
         let row = |(i, span): (usize, &Span)| {
-            let Span { left, length, load: [a, b], reactions: [left_end, right_end], .. } = *span;
-            let [length, a, b, left_end, right_end] =
-                [length, a, b, left_end, right_end].map(|value| self.number(value));
-            vec![letter(i), (left + 1).to_string(), (left + 2).to_string(), length, a, b, left_end, right_end]
+            let numbers = [span.length].into_iter().chain(bends(span)).chain(span.load).chain(span.reactions);
+            let names = [letter(i), (span.left + 1).to_string(), (span.left + 2).to_string()];
+            names.into_iter().chain(numbers.map(|value| self.number(value))).collect::<Row>()
         };
-        let header = ["span", "from node", "to node", "length L", "S left", "S right", "A left", "A right"];
-        self.table("Spans", &header, &self.found.spans.iter().enumerate().map(row).collect::<Vec<_>>())
-            + "\nOf the load of a span: A are the reactions of a simple beam, S the terms of the equations, q L^3 / 4 under a uniform load q.\n"
+        let bends = if self.changes { &["B left", "B", "B right"][..] } else { &[] };
+        let (names, loads) = (["span", "from node", "to node", "length L"], ["S left", "S right", "A left", "A right"]);
+        let header = [&names[..], bends, &loads].concat();
+        let mut text = self.table("Spans", &header, &self.found.spans.iter().enumerate().map(row).collect::<Vec<_>>());
+        text += "\nOf the load of a span: A are the reactions of a simple beam, S the terms of the equations, q L^3 / 4 under a uniform load q";
+        text += if self.changes {
+            " on a\nbeam with the least EI. B left, B and B right are the terms of its end moments, 2 L, L and 2 L on such a beam.\n"
+        } else {
+            ".\n"
+        };
+        text
     }
 
     fn overhangs(&self) -> String {
@@ -173,9 +200,11 @@ impl Page {
             Explained::Text => "Equations",
             Explained::Markdown => "## Equations",
         };
-        let mut text = format!("\n{title}\n\n6 EI = {}\n", self.number(found.stiffness));
+        let least = if self.changes { ", with the least bending stiffness" } else { "" };
+        let mut text = format!("\n{title}\n\n6 EI = {}{least}\n", self.number(found.stiffness));
         let unknown = |&(node, right): &(usize, Option<bool>)| match right {
             Some(right) => name(&found.nodes, node, right, self.moment),
+            None if found.nodes[node].what == What::Hinge => format!("v{}", node + 1),
             None => format!("x{}", node + 1),
         };
         let unknowns = found.unknowns().iter().map(unknown).collect::<Vec<_>>().join(", ");
@@ -186,6 +215,22 @@ impl Page {
         if found.nodes.iter().any(|node| matches!(node.what, What::Point | What::ZoneEnd)) {
             text += "\nWhere the beam follows the ground its slope is given and its place x is not. \
                      At the end of a zone the moment is that of the ground, -EI (u - w0)''.\n";
+        }
+        for (i, k) in found.nodes.iter().enumerate().filter_map(|(i, node)| Some((i, node.joint?))) {
+            text += &match found.nodes[i].what {
+                What::Hinge => format!(
+                    "\nNode {} is a hinge: M = 0, and its deflection v is the one for which it has no force.\n",
+                    i + 1
+                ),
+                _ if k == 0.0 => {
+                    format!("\nNode {} is a hinge as well: M = 0, and its slope has no equation.\n", i + 1)
+                }
+                _ => format!(
+                    "\nNode {} is a joint as well: 6 EI / k = {} is a part of the factor of its moment.\n",
+                    i + 1,
+                    self.number(found.stiffness / k)
+                ),
+            };
         }
         text
     }
@@ -210,7 +255,7 @@ impl Page {
 
     /// An equation with its formula, its numbers, and what the two sides differ by.
     fn equation(&self, equation: &Equation) -> String {
-        let [plain, formula] = FORMULAS[match equation.spans {
+        let [plain, formula] = (if self.changes { CHANGING } else { FORMULAS })[match equation.spans {
             [Some(_), Some(_)] => 0,
             [Some(_), None] => 1,
             _ => 2,

@@ -28,8 +28,15 @@ pub(super) fn given(scene: &Scene, labels: &Labels) -> Vec<(&'static str, String
         lines.push(("own shape", profile(shape, "w", labels)));
     }
     let ground = scene.foundation().map_or_else(|| "none".to_owned(), |foundation| profile(foundation, "u", labels));
-    let gives = |k: f64| format!("{ground}, stiffness {}", labels.number(k));
-    let ground = scene.ground_stiffness().map_or(ground.clone(), gives);
+    let step = |&[at, k]: &[f64; 2]| format!("{} from {}", labels.number(k), labels.number(at));
+    let gives = |k: f64| match scene.ground_steps() {
+        [] => labels.number(k),
+        steps => few(&steps.iter().map(step).collect::<Vec<_>>()),
+    };
+    let ground = match scene.ground_stiffness() {
+        Some(k) => format!("{ground}, stiffness {}", gives(k)),
+        None => ground,
+    };
     lines.extend([("load", load(scene, labels)), ("foundation", ground)]);
     lines
 }

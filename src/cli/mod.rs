@@ -256,7 +256,9 @@ fn explain(arguments: &explain::Explain) -> Result<u8, Failure> {
     let explain::Explain { scene, format } = arguments;
     let what = format!("explaining {}", input::called(&scene.path));
     let on_beam = |input: &Input| {
-        input.scene.is_uniform("explain").map_err(|error| input.error(error))?;
+        if input.scene.ground_stiffness().is_some() {
+            input.scene.is_uniform("explain").map_err(|error| input.error(error))?;
+        }
         input.scene.is_firm("explain").map_err(|error| input.error(error))?;
         let answer = Answer::of(input, Route::Exact(Demand::default()))?;
         let text = explain::text(input, &answer, *format);

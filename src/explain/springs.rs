@@ -102,12 +102,12 @@ impl Chain {
     /// Of an exact answer of its scene; [`None`] if its foundation does not give.
     #[must_use]
     pub fn of(scene: &Scene, exact: &Exact) -> Option<Self> {
-        let stiffness = scene.ground_stiffness()?;
-        let nodes = nodes(scene, exact, stiffness);
+        scene.ground_stiffness()?;
+        let nodes = nodes(scene, exact);
         let is_pressed = |x: f64| exact.state.contacts.iter().any(|contact| contact.from < x && x < contact.to);
         let link = |pair: &[ChainNode]| {
             let ends = [pair[0].x, pair[1].x];
-            Link::of(scene, ends, if is_pressed(0.5 * (ends[0] + ends[1])) { stiffness } else { 0.0 })
+            Link::of(scene, ends, if is_pressed(0.5 * (ends[0] + ends[1])) { stiffness(scene, ends) } else { 0.0 })
         };
         let lifted = exact.state.supports.iter().filter(|support| has_lifted(support)).map(|support| support.at);
         Some(Self { links: nodes.windows(2).map(link).collect(), lifted: lifted.collect(), nodes })
@@ -216,7 +216,12 @@ fn intensity(scene: &Scene, x: f64) -> f64 {
     here.fold(scene.load().uniform(), |sum, q| sum + q.intensity(x))
 }
 
-fn nodes(scene: &Scene, exact: &Exact, stiffness: f64) -> Vec<ChainNode> {
+/// `k` between two nodes.
+fn stiffness(scene: &Scene, [from, to]: [f64; 2]) -> f64 {
+    scene.ground_stiffness_beside(0.5 * (from + to))[0]
+}
+
+fn nodes(scene: &Scene, exact: &Exact) -> Vec<ChainNode> {
     let (state, length, load) = (&exact.state, scene.beam().length(), scene.load());
     let mut found: Vec<(f64, What, f64)> = Vec::new();
     for support in state.supports.iter().filter(|support| !has_lifted(support)) {
@@ -228,6 +233,7 @@ fn nodes(scene: &Scene, exact: &Exact, stiffness: f64) -> Vec<ChainNode> {
     found.extend(load.concentrated().map(|acts| (acts.at, What::Load, 0.0)));
     found.extend(load.linear().iter().flat_map(|q| [q.from, q.to]).map(|x| (x, What::Load, 0.0)));
     let is_pressed = |x: f64| state.contacts.iter().any(|contact| contact.from < x && x < contact.to);
+    found.extend(scene.ground_changes().filter(|x| is_pressed(*x)).map(|x| (x, What::Corner, 0.0)));
     for profile in scene.foundation().into_iter().chain(scene.beam().shape()) {
         let Foundation::Polyline { points } = profile else { continue };
         found.extend(points.iter().map(|p| p[0]).filter(|x| is_pressed(*x)).map(|x| (x, What::Corner, 0.0)));
@@ -241,10 +247,10 @@ fn nodes(scene: &Scene, exact: &Exact, stiffness: f64) -> Vec<ChainNode> {
         }
         same
     });
-    let decay = (0.25 * stiffness / scene.beam().bending_stiffness()).sqrt().sqrt();
     let mut all: Vec<(f64, What, f64)> = Vec::new();
     for pair in found.windows(2) {
         let [from, to] = [pair[0].0, pair[1].0];
+        let decay = (0.25 * stiffness(scene, [from, to]) / scene.beam().bending_stiffness()).sqrt().sqrt();
         let parts = if is_pressed(0.5 * (from + to)) { ((to - from) * decay).ceil().max(1.0) } else { 1.0 };
         let inside = (1_u32..).map(f64::from).take_while(|k| *k < parts);
         all.push(pair[0]);

@@ -11,12 +11,14 @@ pub enum What {
     BuiltIn,
     /// An end of the beam that touches.
     Tip,
-    /// A point of contact whose place is a corner of the ground.
+    /// A point of contact whose place is a corner of the ground, or a joint.
     Corner,
     /// A point of contact at which the beam follows the slope of the ground: its place is an unknown.
     Point,
     /// An end of a zone: its place is an unknown.
     ZoneEnd,
+    /// A hinge of the beam, off the ground.
+    Hinge,
     /// A point load, or an end of a distributed one, on an elastic foundation.
     Load,
     /// No more than a place of the beam on an elastic foundation.
@@ -35,6 +37,7 @@ impl What {
             Self::Corner => "contact at a corner",
             Self::Point => "contact at a point",
             Self::ZoneEnd => "end of a zone",
+            Self::Hinge => "hinge",
             Self::Load => "load",
             Self::Between => "place between",
         }

@@ -59,7 +59,7 @@ impl Nodal {
             deflection[support.node - first] = support.held.deflection;
         }
         let size = DEEP * discrete.sizes().x;
-        if discrete.supports().lacking() == 0 && discrete.depths.iter().any(|&u| size < u) {
+        if discrete.is_held() && discrete.depths.iter().any(|&u| size < u) {
             let by_statics = program::deflection(discrete, &contact_force, discretisation);
             for ((v, &statics), &u) in deflection.iter_mut().zip(&by_statics).zip(&discrete.depths) {
                 if size < u {
@@ -236,7 +236,9 @@ fn extremes_by_parts(
             ends: [from.0, to].map(&deflection_at),
         };
         let m = Values { inner: &moments[inner], ends: [from.1, before] };
-        let part = extremes(nodal.discretisation, v, m, spacing, stiffness).map(|part| shifted(part, from.0));
+        let softness = |interval: usize| discrete.divisions().softness(from.0 + interval);
+        let part = extremes(nodal.discretisation, v, m, spacing, (stiffness, softness));
+        let part = part.map(|part| shifted(part, from.0));
         found = Some(found.map_or(part, |found| {
             let both = |a: Extremes, b: Extremes| a.beyond(b.max_at, b.max).beyond(b.min_at, b.min);
             [both(found[0], part[0]), both(found[1], part[1])]
@@ -278,8 +280,8 @@ fn pressed(discrete: &Discrete, nodal: &Nodal) -> f64 {
 /// The largest pressure of ground that gives.
 fn pressure(discrete: &Discrete, nodal: &Nodal) -> Option<Pressure> {
     let at = |(node, p): (usize, &f64)| {
-        // Of half a spring at an end, and none in a support that only pushes.
-        let share = discrete.give(node) / discrete.give_inside();
+        // Of half a spring at an end, and none in a support that only pushes. Where the stiffness changes that of the stiffer side.
+        let share = discrete.give(node) / discrete.whole_give(discrete.stiffest_beside(node));
         Pressure { max: share * p / discrete.spacing, at: discrete.grid.place(node) }
     };
     let all = discrete.nodes().zip(&nodal.contact_force).map(at);

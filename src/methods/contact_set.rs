@@ -12,6 +12,9 @@
 //! [`a − 1/a` for `a`, `b − 1/b` for `b` and `1/a + 1/b` more in the middle](links).
 //! In dense contact, `a = b = 1`, neighbours drop out, and the difference equation itself is left, `M_i = −(EI/Δ²) bend_i`.
 //!
+//! A beam that changes between contacts, in its stiffness or by joints, is solved with places of any deflection as more nodes, in
+//! `springs.rs`.
+//!
 //! Supports are nodes of this list like contacts, at their own levels and with forces of any sign. Two kinds of node have another
 //! equation. Beyond the *outermost* nodes the beam hangs over: its moment there is known from statics, zero at an end. A
 //! *built-in* support stands in the list twice, with a span of no length between: on each of its sides one half of the equation
@@ -40,10 +43,13 @@ use crate::memory::zeros;
 use crate::qp::{Band, NotPositiveDefinite, Row};
 use crate::state::Discretisation;
 
-/// Nodes at which the beam is held, by supports and by the foundation, ascending; those in which it is built in twice.
+/// Nodes at which the beam is held, by supports and by the foundation, ascending; those in which it is built in twice. And those at which
+/// it changes.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct ContactSet {
     nodes: Vec<usize>,
+    /// Those among them that nothing holds, and at which the beam changes.
+    free: Vec<usize>,
     /// Whether the beam hangs over beyond the first and the last of them. Otherwise it is cut there, and free of moment.
     overhangs: [bool; 2],
 }
@@ -92,7 +98,9 @@ impl ContactSet {
             }
         });
         supports.iter().for_each(|support| hold(&mut nodes, support));
-        Self { nodes, overhangs }
+        let changes = discrete.divisions().nodes().iter().copied().filter(|node| part.contains(node));
+        let free: Vec<usize> = changes.filter(|node| nodes.binary_search(node).is_err()).collect();
+        Self { nodes: merged(nodes, &free), free, overhangs }
     }
 
     /// Contact forces and clearances at all nodes but supported ends, of the beam that touches here.
@@ -140,33 +148,69 @@ impl ContactSet {
 
     /// The beam that is held at these nodes.
     pub(super) fn beam<'a>(
-        self,
+        mut self,
         discrete: &'a Discrete,
         discretisation: Discretisation,
         span: impl Fn(usize, usize) -> Span,
     ) -> Result<Beam<'a, impl Fn(usize, usize) -> Span>, NotPositiveDefinite> {
+        let beyond = self.take_beyond();
         let (Some(&first), Some(&last)) = (self.nodes.first(), self.nodes.last().filter(|_| 1 < self.nodes.len()))
         else {
             return Err(NotPositiveDefinite { index: 0, pivot: 0.0 });
         };
-        let span = move |first: usize, last: usize| match last - first {
-            0 => Span::default(),
-            1 => Span::INTERVAL,
-            _ => span(first, last),
+        let span = move |first: usize, last: usize| {
+            let span = match last - first {
+                0 => return Span::default(),
+                1 => Span::INTERVAL,
+                _ => span(first, last),
+            };
+            span.softened(discrete.divisions().softness(first))
         };
         let end = discrete.intervals;
         let left = (self.overhangs[0] && 0 < first).then(|| Overhang::of(span(0, first), 0, discrete.loads[0]));
         let right = (self.overhangs[1] && last < end).then(|| Overhang::of(span(last, end), 1, discrete.loads[end]));
         let overhangs = [left, right];
         let outermost = overhangs.map(|overhang| overhang.map_or(0.0, |overhang| overhang.moment));
-        let [moments, sunk] = if discrete.gives() {
+        let [moments, sunk] = if discrete.gives() || !discrete.divisions().nodes().is_empty() {
             let forces = overhangs.map(|overhang| overhang.map_or(0.0, |overhang| overhang.force));
             let left = [0, 1].map(|side| [outermost[side], forces[side]]);
-            springs::solve(discrete, discretisation, &self.nodes, &span, left)?
+            springs::solve(discrete, discretisation, &self, &span, left)?
         } else {
             [self.moments(discrete, discretisation, &span, outermost)?, Vec::new()]
         };
-        Ok(Beam { discrete, discretisation, span, nodes: self.nodes, moments, sunk, overhangs })
+        Ok(Beam {
+            discrete,
+            discretisation,
+            span,
+            nodes: self.nodes,
+            free: self.free,
+            moments,
+            sunk,
+            overhangs,
+            beyond,
+        })
+    }
+
+    /// Takes away the nodes beyond the outermost ones that hold the beam, on both sides, from there on.
+    fn take_beyond(&mut self) -> [Vec<usize>; 2] {
+        let is_free = |node: &&usize| self.free.binary_search(node).is_ok();
+        let right = self.nodes.iter().rev().take_while(is_free).count();
+        let left = self.nodes.iter().take_while(is_free).count();
+        let right = self.nodes.split_off(self.nodes.len() - right);
+        let mut left: Vec<usize> = self.nodes.drain(..left.min(self.nodes.len())).collect();
+        left.reverse();
+        [left, right]
+    }
+
+    /// The nodes.
+    pub(super) fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+
+    /// Whether nothing holds a node.
+    #[inline]
+    pub(super) fn is_free(&self, node: usize) -> bool {
+        !self.free.is_empty() && self.free.binary_search(&node).is_ok()
     }
 
     /// Moments at the nodes; those at the two outermost are given.
@@ -206,4 +250,21 @@ impl ContactSet {
         equations.push(given(outermost[1]))?;
         Ok(equations.solve())
     }
+}
+
+/// Two ascending lists as one.
+fn merged(nodes: Vec<usize>, more: &[usize]) -> Vec<usize> {
+    if more.is_empty() {
+        return nodes;
+    }
+    let mut all = Vec::with_capacity(nodes.len() + more.len());
+    let mut more = more.iter().copied().peekable();
+    for node in nodes {
+        while let Some(before) = more.next_if(|before| *before < node) {
+            all.push(before);
+        }
+        all.push(node);
+    }
+    all.extend(more);
+    all
 }

@@ -7,6 +7,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use super::divisions::Divisions;
 use super::held_beam;
 use super::supports::Supports;
 use crate::memory::zeros;
@@ -23,13 +24,15 @@ pub struct Discrete {
     pub intervals: usize,
     /// Spacing `Δ`.
     pub spacing: f64,
-    /// Bending stiffness `EI`.
+    /// Bending stiffness `EI`, the least one of a beam in steps.
     pub stiffness: f64,
     /// Loads on all nodes, `q_0 … q_{n+1}`, supports included: forces, not densities.
     pub loads: Vec<f64>,
     /// Gaps `g` below the undeflected beam, of a straight one the depths `u`, at [all nodes but supported ends](Self::nodes).
     pub depths: Vec<f64>,
     supports: Supports,
+    /// Steps of the bending stiffness and joints.
+    divisions: Divisions,
     /// True if the beam may touch supports that only push, and nothing else.
     open: bool,
     /// The profiles of ground and own shape that the gaps are taken from.
@@ -37,8 +40,8 @@ pub struct Discrete {
     pub(super) shape: Option<Arc<Foundation>>,
     /// Whether the beam is the paper's.
     simple: bool,
-    /// The stiffness of the ground, if it gives.
-    ground: Option<f64>,
+    /// Parts of the ground of one stiffness each, if it gives.
+    ground: Arc<[([f64; 2], f64)]>,
     sizes: Sizes,
 }
 
@@ -53,29 +56,29 @@ impl Discrete {
     ///
     /// # Errors
     ///
-    /// [`SceneError::TooFewIntervals`], and [`SceneError::SupportBetweenNodes`].
+    /// [`SceneError::TooFewIntervals`], and [`SceneError::BetweenNodes`].
     pub fn new(scene: &Scene, intervals: usize) -> Result<Self, SceneError> {
-        let discrete = Self::unmeasured(scene, intervals)?;
+        let discrete = Self::unmeasured(scene, intervals, false)?;
         // A coarser grid with the supports among its nodes, if there is one.
         let coarse = Grid::step(scene).map_or(0, |step| SIZING / step * step);
         let sizes = match coarse {
-            2.. if coarse < intervals => Self::unmeasured(scene, coarse)?.measured(),
+            2.. if coarse < intervals => Self::unmeasured(scene, coarse, true)?.measured(),
             _ => discrete.measured(),
         };
         Ok(Self { sizes, ..discrete })
     }
 
-    /// The same on a coarser grid, with the sizes of this one.
+    /// The same on a coarser grid, with the sizes of this one. Joints and steps of the bending stiffness are at the nearest nodes.
     ///
     /// # Errors
     ///
     /// Those of [`new`](Self::new).
     pub(crate) fn coarser(&self, scene: &Scene, intervals: usize) -> Result<Self, SceneError> {
-        Ok(Self { sizes: self.sizes, ..Self::unmeasured(scene, intervals)? })
+        Ok(Self { sizes: self.sizes, ..Self::unmeasured(scene, intervals, true)? })
     }
 
-    fn unmeasured(scene: &Scene, intervals: usize) -> Result<Self, SceneError> {
-        scene.is_uniform("a method on a grid")?;
+    fn unmeasured(scene: &Scene, intervals: usize, coarse: bool) -> Result<Self, SceneError> {
+        scene.is_grounded_throughout("a method on a grid")?;
         scene.is_firm("a method on a grid")?;
         let grid = Grid::uniform(scene, intervals)?;
         let supports = Supports::on(&grid, scene)?;
@@ -88,12 +91,13 @@ impl Discrete {
             depths: grid.gaps_at(scene, supports.nodes()),
             open,
             supports,
+            divisions: Divisions::on(&grid, scene, coarse)?,
             profile: scene.shared_foundation(),
             shape: scene.beam().shared_shape(),
             simple: scene.beam().is_simple() && scene.ground_stiffness().is_none(),
-            ground: scene.ground_stiffness(),
+            ground: scene.ground_parts().collect(),
             sizes: Sizes { x: 1.0, gradient: 1.0 },
-            loads: grid.nodal_loads(scene.load()),
+            loads: grid.nodal_loads(scene),
         })
     }
 
@@ -101,21 +105,34 @@ impl Discrete {
     #[must_use]
     pub fn give(&self, node: usize) -> f64 {
         match self.supports.bearings() {
-            [] => self.grid.give(self.ground, node),
+            [] => self.grid.give(&self.ground, node, |_| false),
             _ if self.supports.pushing(node).is_some() => 0.0,
-            _ => self.grid.give_beside(self.ground, node, |node| self.supports.is_sunk(node)),
+            _ => self.grid.give(&self.ground, node, |node| self.supports.is_sunk(node)),
         }
     }
 
-    /// The same of the ground below a node inside.
+    /// The least that the ground gives below a node inside.
     pub(super) fn give_inside(&self) -> f64 {
-        self.grid.give(self.ground, 1)
+        let stiffest = self.ground.iter().map(|(_, k)| *k).reduce(f64::max);
+        stiffest.map_or(0.0, |k| self.whole_give(k))
+    }
+
+    /// What ground of this stiffness gives below a node inside.
+    pub(super) fn whole_give(&self, stiffness: f64) -> f64 {
+        1.0 / (stiffness * self.spacing)
+    }
+
+    /// The stiffness of the ground on the stiffer side of a node.
+    pub(super) fn stiffest_beside(&self, node: usize) -> f64 {
+        let x = self.grid.place(node);
+        let beside = self.ground.iter().filter(|(part, _)| part[0] <= x && x <= part[1]);
+        beside.fold(0.0, |most, (_, k)| k.max(most))
     }
 
     /// Whether the ground gives at all.
     #[must_use]
     pub fn gives(&self) -> bool {
-        self.ground.is_some()
+        !self.ground.is_empty()
     }
 
     /// `n`, the number of interior nodes.
@@ -141,10 +158,21 @@ impl Discrete {
         [0, self.intervals].map(|node| self.supports.at(node).is_some())
     }
 
-    /// Whether the supports hold the beam against turning and moving: if not, its stiffness is singular, and it has no flexibility.
+    /// Whether the supports hold the beam against turning and moving, and each part of it between two hinges: if not, its stiffness is
+    /// singular, and it has no flexibility.
     #[must_use]
     pub fn is_held(&self) -> bool {
-        self.supports.lacking() == 0
+        self.supports.lacking() == 0 && self.missing(&self.supports.holds()).is_empty()
+    }
+
+    /// Nodes that have to hold the beam besides some others so that no part between two hinges moves, as [`Divisions::unheld`] has it.
+    pub(super) fn missing(&self, held: &[(usize, usize)]) -> Vec<usize> {
+        if self.divisions.has_hinges() { self.divisions.unheld(held, self.intervals) } else { Vec::new() }
+    }
+
+    /// Steps of the bending stiffness and joints.
+    pub(super) fn divisions(&self) -> &Divisions {
+        &self.divisions
     }
 
     /// The supports.
@@ -280,7 +308,8 @@ impl Discrete {
 
     /// The same beam on other supports, above ground that is known at the nodes only, and under other loads.
     fn changed(&self, supports: Supports, depths: Vec<f64>, loads: Vec<f64>) -> Self {
-        Self { depths, supports, loads, profile: None, shape: None, simple: false, ..*self }
+        let (ground, divisions) = (Arc::clone(&self.ground), self.divisions.clone());
+        Self { depths, supports, loads, ground, divisions, profile: None, shape: None, simple: false, ..*self }
     }
 
     /// The same beam above ground that is known at the nodes only.
@@ -291,7 +320,10 @@ impl Discrete {
     /// The beam on its supports, with more if they do not hold it, above ground at zero and under other loads: the basic
     /// structure for forces in balance.
     pub(super) fn basic(&self, loads: Vec<f64>) -> Self {
-        Self { ground: None, ..self.on(self.supports.completed(), loads) }
+        let missing = self.missing(&self.supports.holds());
+        let supports =
+            if self.divisions.has_hinges() { self.supports.and_at(&missing) } else { self.supports.completed() };
+        Self { ground: Arc::new([]), ..self.on(supports, loads) }
     }
 
     /// The beam on other supports, above ground at zero and under other loads.

@@ -20,19 +20,20 @@ impl Values<'_> {
     }
 }
 
-/// Extremes of deflection and moment from values at nodes; places are counted in intervals from the left end of the values.
+/// Extremes of deflection and moment from values at nodes; places are counted in intervals from the left end of the values. `stiffness` is
+/// the least one, and `softness` how soft an interval is beside one with that.
 pub(super) fn extremes(
     discretisation: Discretisation,
     deflection: Values<'_>,
     moments: Values<'_>,
     spacing: f64,
-    stiffness: f64,
+    (stiffness, softness): (f64, impl Fn(usize) -> f64),
 ) -> [Extremes; 2] {
     let seen = nodal_extremes(deflection);
     let found = match discretisation {
         Discretisation::FiniteDifferences => seen,
         Discretisation::BeamElements => {
-            cubic_extremes(deflection, moments, spacing * spacing / (6.0 * stiffness), seen)
+            cubic_extremes(deflection, moments, (spacing * spacing / (6.0 * stiffness), softness), seen)
         }
     };
     [found, nodal_extremes(moments)]
@@ -84,11 +85,16 @@ fn wider([max, min]: [f64; 2], [above, below]: [f64; 2]) -> [f64; 2] {
     [if max < above { above } else { max }, if below < min { below } else { min }]
 }
 
-/// Extremes of the deflection, `seen` at the nodes already, with those inside the intervals; `unit` is `Δ²/6EI`.
+/// Extremes of the deflection, `seen` at the nodes already, with those inside the intervals; `unit` is `Δ²/6EI` of the softest one.
 ///
 /// Intervals that cannot reach beyond what is seen at the nodes are passed over: a beam leaves its chord by at most
 /// `Δ² max|M| / 8 EI`.
-fn cubic_extremes(deflection: Values<'_>, moments: Values<'_>, unit: f64, seen: Extremes) -> Extremes {
+fn cubic_extremes(
+    deflection: Values<'_>,
+    moments: Values<'_>,
+    (unit, softness): (f64, impl Fn(usize) -> f64),
+    seen: Extremes,
+) -> Extremes {
     let beyond = |[highest, lowest]: [f64; 2], [most, least]: [f64; 2]| {
         let reach = 0.75 * unit * most.abs().max(least.abs());
         seen.max < highest + reach || lowest - reach < seen.min
@@ -111,7 +117,8 @@ fn cubic_extremes(deflection: Values<'_>, moments: Values<'_>, unit: f64, seen: 
             let right = [deflection, moments].map(|values| values.at(k + 1));
             let [v, m] = [[left[0], right[0]], [left[1], right[1]]];
             if beyond([v[0].max(v[1]), v[0].min(v[1])], m) {
-                found = stationary(v, m.map(|m| unit * m)).fold(found, |found, [s, v]| found.beyond(number(k) + s, v));
+                let own = unit * softness(k);
+                found = stationary(v, m.map(|m| own * m)).fold(found, |found, [s, v]| found.beyond(number(k) + s, v));
             }
             left = right;
         }

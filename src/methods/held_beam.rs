@@ -11,7 +11,9 @@
 use std::ops::Range;
 
 use super::contact_set::ContactSet;
-use super::span::{Span, links};
+use super::discrete::as_float;
+use super::divisions::LOOSE;
+use super::span::Span;
 use super::{Discrete, statics};
 use crate::memory::zeros;
 use crate::qp::NotPositiveDefinite;
@@ -30,7 +32,6 @@ const SHORT: usize = 32;
 /// The resultant of an overhang at its node: the sum of its loads, and their moment, negative where they bend it down.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Overhang {
-    pub(super) span: Span,
     pub(super) force: f64,
     pub(super) moment: f64,
 }
@@ -39,7 +40,7 @@ impl Overhang {
     /// From the span between its tip and its node, the side on which the tip is, and the load on the tip.
     pub(super) fn of(span: Span, side: usize, tip: f64) -> Self {
         let at_tip = span.shares[side] + tip;
-        Self { span, force: at_tip + span.shares[1 - side], moment: -at_tip * span.steps }
+        Self { force: at_tip + span.shares[1 - side], moment: -at_tip * span.steps }
     }
 }
 
@@ -50,10 +51,15 @@ pub(super) struct Beam<'a, S> {
     /// The span between two nodes.
     pub(super) span: S,
     pub(super) nodes: Vec<usize>,
+    /// Those among them that nothing holds: the beam changes there.
+    pub(super) free: Vec<usize>,
     pub(super) moments: Vec<f64>,
-    /// How far the ground below each of them sinks; empty where it is rigid.
+    /// How far the ground below each of them sinks, and the deflection of those that nothing holds; empty where it is rigid and there are
+    /// none.
     pub(super) sunk: Vec<f64>,
     pub(super) overhangs: [Option<Overhang>; 2],
+    /// The nodes of these at which the beam changes, from the root to the tip.
+    pub(super) beyond: [Vec<usize>; 2],
 }
 
 /// A stretch of the beam between two held nodes, or from one to a tip.
@@ -81,7 +87,9 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
             let shear = if pair[0] + 1 == pair[1] { shear } else { shear / span.steps };
             let right = SpanEnd { share: span.shares[1], shear, moments: [moments[0], moments[1]], steps: span.steps };
             let load = span.shares[0] + self.discrete.loads[pair[0]];
-            visit(pair[0], left.contact_force(&right, load));
+            if !self.is_free(pair[0]) {
+                visit(pair[0], left.contact_force(&right, load));
+            }
             left = right;
         }
         let last = self.nodes[self.nodes.len() - 1];
@@ -100,7 +108,7 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         }
         for (i, (&node, sunk)) in self.nodes.iter().zip(&self.sunk).enumerate() {
             let give = self.discrete.give(node);
-            if give <= 0.0 {
+            if give <= 0.0 || self.is_free(node) {
                 continue;
             }
             let (force, near) = (sunk / give, i.saturating_sub(1)..self.moments.len().min(i + 2));
@@ -110,9 +118,16 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         }
     }
 
-    /// The level at which node `i` of the list is held.
+    /// Whether nothing holds a node of the list.
+    #[inline]
+    fn is_free(&self, node: usize) -> bool {
+        !self.free.is_empty() && self.free.binary_search(&node).is_ok()
+    }
+
+    /// The level at which node `i` of the list is.
     fn level(&self, i: usize) -> f64 {
-        self.discrete.level(self.nodes[i]) + self.sunk.get(i).copied().unwrap_or(0.0)
+        let sunk = self.sunk.get(i).copied().unwrap_or(0.0);
+        if self.is_free(self.nodes[i]) { sunk } else { self.discrete.level(self.nodes[i]) + sunk }
     }
 
     /// The stretch from node `i` of the list to the next one.
@@ -122,36 +137,51 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         Stretch { nodes, moments: [self.moments[i], self.moments[i + 1]], levels, lever: 0.0 }
     }
 
-    /// The overhang on one side, if there is one.
-    #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
-    fn overhang(&self, side: usize) -> Option<Stretch> {
-        let Discrete { stiffness, spacing, intervals, .. } = self.discrete;
-        let Overhang { span, moment, .. } = self.overhangs[side]?;
+    /// The overhang on one side, if there is one: its stretches between places where the beam changes, from the root to the tip.
+    fn overhang(&self, side: usize) -> Vec<Stretch> {
+        let Discrete { stiffness, spacing, loads, .. } = self.discrete;
+        let Some(Overhang { moment, .. }) = self.overhangs[side] else { return Vec::new() };
         let end = self.nodes.len() - 1;
         let list = if side == 0 { [0, 1] } else { [end, end - 1] };
         let ([here, next], next_moment) = (list.map(|i| self.nodes[i]), self.moments[list[1]]);
         let [level, next_level] = list.map(|i| self.level(i));
         let unit = 6.0 * stiffness / (spacing * spacing);
-        let turned = |steps: f64| 2.0 * steps + links(self.discretisation, steps);
         // Slopes count in the direction away from the tip.
-        let slope = if here == next {
+        let mut slope = if here == next {
             let slope = self.discrete.supports().at(here).and_then(|support| support.held.slope).unwrap_or(0.0);
             if side == 0 { slope } else { -slope }
         } else {
             let inner = (self.span)(here.min(next), here.max(next));
-            let steps = here.abs_diff(next) as f64;
-            let beside = inner.steps - links(self.discretisation, inner.steps);
-            (next_level - level) / (spacing * steps)
-                + (turned(inner.steps) * moment + beside * next_moment + inner.rotations[side]) / unit
+            let [own, beside] = inner.turned(self.discretisation);
+            (next_level - level) / (spacing * as_float(here.abs_diff(next)))
+                + (own * moment + beside * next_moment + inner.rotations[side]) / unit
         };
-        let chord = slope + (turned(span.steps) * moment + span.rotations[1 - side]) / unit;
-        let drop = chord * spacing * span.steps;
-        let [tip, root] = [level - drop, level];
-        let (nodes, moments, levels) = match side {
-            0 => ([0, here], [0.0, moment], [tip, root]),
-            _ => ([here, *intervals], [moment, 0.0], [root, tip]),
-        };
-        Some(Stretch { nodes, moments, levels, lever: drop.abs() })
+        let tip = if side == 0 { 0 } else { self.discrete.intervals };
+        let mut stretches = Vec::with_capacity(1 + self.beyond[side].len());
+        let mut root = (here, moment, level);
+        for &node in self.beyond[side].iter().chain([&tip]) {
+            slope += 6.0 * self.discrete.divisions().joint(root.0).min(LOOSE) * root.1 / unit;
+            let span = (self.span)(root.0.min(node), root.0.max(node));
+            let beyond = if node == tip {
+                0.0
+            } else {
+                Overhang::of((self.span)(node.min(tip), node.max(tip)), side, loads[tip]).moment
+            };
+            let [own, beside] = span.turned(self.discretisation);
+            let chord = slope + (own * root.1 + beside * beyond + span.rotations[1 - side]) / unit;
+            let drop = chord * spacing * span.steps;
+            let far = (node, beyond, root.2 - drop);
+            let [left, right] = if side == 0 { [far, root] } else { [root, far] };
+            stretches.push(Stretch {
+                nodes: [left.0, right.0],
+                moments: [left.1, right.1],
+                levels: [left.2, right.2],
+                lever: drop.abs() + stretches.last().map_or(0.0, |before: &Stretch| before.lever),
+            });
+            slope = chord + (own * beyond + beside * root.1 + span.rotations[side]) / unit;
+            root = far;
+        }
+        stretches
     }
 
     /// Clearances at the nodes of a range that nothing holds; zero where they are negative by less than the rounding of what they
@@ -167,22 +197,28 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
                 self.clearances_in(&self.stretch(i), range, clearance, &mut buffer);
             }
         }
-        for (side, tip) in [(0, 0), (1, self.discrete.intervals)] {
-            let Some(overhang) = self.overhang(side) else { continue };
-            self.clearances_in(&overhang, range, clearance, &mut buffer);
-            if range.contains(&tip) {
-                let bent = self.bent(&overhang);
-                clearance[tip - range.start] = self.clearance_of(tip, overhang.levels[side], 0.0, bent);
+        for (i, node) in self.nodes.iter().enumerate().filter(|(_, node)| range.contains(node) && self.is_free(**node))
+        {
+            let bent = self.bent(&self.stretch(i));
+            clearance[node - range.start] = self.clearance_of(*node, self.level(i), 0.0, bent);
+        }
+        for side in 0..2 {
+            for stretch in self.overhang(side) {
+                self.clearances_in(&stretch, range, clearance, &mut buffer);
+                let far = stretch.nodes[side];
+                if range.contains(&far) {
+                    let bent = self.bent(&stretch);
+                    clearance[far - range.start] = self.clearance_of(far, stretch.levels[side], 0.0, bent);
+                }
             }
         }
     }
 
     /// What the end moments of a stretch bend, `M L²/EI`, and how far an overhang turns with its root.
-    #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
     fn bent(&self, stretch: &Stretch) -> f64 {
         let Discrete { spacing, stiffness, .. } = self.discrete;
         let [first, last] = stretch.nodes;
-        let steps = (last - first) as f64;
+        let steps = as_float(last - first);
         let unit = spacing * spacing * spacing / stiffness;
         unit * stretch.moments[0].abs().max(stretch.moments[1].abs()) * (steps * steps) + stretch.lever
     }
@@ -209,7 +245,7 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
             return;
         }
         let cube = discrete.spacing * discrete.spacing * discrete.spacing;
-        let sixth = cube / (6.0 * discrete.stiffness);
+        let sixth = cube / (6.0 * discrete.stiffness) * discrete.divisions().softness(first);
         // Moments and sags at the ends of the stretch within the range, which are those of the span as a rule.
         let at = |node: usize| match node {
             _ if node == first => [ends[0], 0.0],
@@ -250,6 +286,10 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         self.forces(|node, force| held.push(HeldNode { node, force, moments: [0.0; 2] }));
         let mut i = 0;
         for held in &mut held {
+            // Past places where the beam changes.
+            while self.nodes[i] != held.node {
+                i += 1;
+            }
             let left = self.moments[i];
             i += 1;
             let twice = self.nodes.get(i) == Some(&held.node);
@@ -264,13 +304,16 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
     pub(super) fn moments(&self) -> Vec<f64> {
         let spacing = self.discrete.spacing;
         let mut moments = zeros(self.discrete.intervals + 1);
-        let stretches = (0..self.nodes.len() - 1).map(|i| self.stretch(i));
-        for Stretch { nodes: [first, last], moments: ends, .. } in
-            stretches.chain([0, 1].into_iter().filter_map(|side| self.overhang(side)))
-        {
+        let stretches = (0..self.nodes.len() - 1).map(|i| (self.stretch(i), None));
+        let overhangs =
+            (0..2).flat_map(|side| self.overhang(side).into_iter().map(move |stretch| (stretch, Some(side))));
+        for (Stretch { nodes: [first, last], moments: ends, .. }, tip) in stretches.chain(overhangs) {
             if first < last {
                 let (loads, inner) = (&self.discrete.loads[first + 1..last], &mut moments[first + 1..last]);
                 statics::funicular(loads, ends, spacing, inner);
+            }
+            if let Some(side) = tip {
+                moments[[first, last][side]] = ends[side] * spacing;
             }
         }
         for (&node, &moment) in self.nodes.iter().zip(&self.moments) {

@@ -18,6 +18,7 @@ mod complementarity;
 pub(crate) mod contact_set;
 mod discrete;
 mod displacement;
+mod divisions;
 mod extremes;
 mod force;
 mod held_beam;

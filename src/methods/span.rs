@@ -17,17 +17,18 @@ use crate::state::Discretisation;
 /// The loads of a span by their effect on its ends, as those of a simple beam. Positive rotations sag.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Span {
-    /// Number of intervals.
+    /// Number of intervals, and how soft each of them is: `e = EI₀/EI`.
     pub(crate) steps: f64,
+    pub(crate) soft: f64,
     /// Shares of the loads between the ends that go to the left and to the right end \[force\].
     pub(crate) shares: [f64; 2],
-    /// End rotations `ϑ`.
+    /// End rotations `ϑ`, in a unit with the least bending stiffness.
     pub(crate) rotations: [f64; 2],
 }
 
 impl Span {
     /// A single interval, which carries no load between its ends.
-    pub(crate) const INTERVAL: Self = Self { steps: 1.0, shares: [0.0; 2], rotations: [0.0; 2] };
+    pub(crate) const INTERVAL: Self = Self { steps: 1.0, soft: 1.0, shares: [0.0; 2], rotations: [0.0; 2] };
 
     /// Nodes up to which loads are summed one by one. Longer spans are joined from halves, so that rounding grows with the
     /// logarithm of the length.
@@ -57,7 +58,7 @@ impl Span {
             rotations[0] += to_left * (a * (steps + b));
             rotations[1] += to_right * (b * (steps + a));
         }
-        Self { steps, shares: shares.map(|s| s / steps), rotations: rotations.map(|r| r / steps) }
+        Self { steps, soft: 1.0, shares: shares.map(|s| s / steps), rotations: rotations.map(|r| r / steps) }
     }
 
     /// Two neighbours as one, with the load on the node between them.
@@ -70,6 +71,7 @@ impl Span {
         let kink = (self.rotations[1] + 2.0 * a * moment) + (next.rotations[0] + 2.0 * b * moment);
         Self {
             steps,
+            soft: self.soft,
             shares: [self.shares[0] + force * right, next.shares[1] + force * left],
             rotations: [self.rotations[0] + a * moment + kink * right, next.rotations[1] + b * moment + kink * left],
         }
@@ -81,9 +83,23 @@ impl Span {
         let (a, b) = (self.steps, next.steps);
         let (left, right) = (a / (a + b), b / (a + b));
         let moment = (self.shares[1] + next.shares[0] + load) * a * right + (ends[0] * right + ends[1] * left);
-        let kink = (self.rotations[1] + (a * (ends[0] + 2.0 * moment) + links(discretisation, a) * (moment - ends[0])))
-            + (next.rotations[0] + (b * (ends[1] + 2.0 * moment) + links(discretisation, b) * (moment - ends[1])));
+        let bent = |steps: f64, end: f64| {
+            self.soft * (steps * (end + 2.0 * moment) + links(discretisation, steps) * (moment - end))
+        };
+        let kink = (self.rotations[1] + bent(a, ends[0])) + (next.rotations[0] + bent(b, ends[1]));
         [moment, kink * a * right]
+    }
+
+    /// The same of intervals that are `e` as soft.
+    #[inline]
+    pub(super) fn softened(self, e: f64) -> Self {
+        Self { soft: e, rotations: self.rotations.map(|rotation| e * rotation), ..self }
+    }
+
+    /// How far moments of one at an end and at the other one turn that end: `2L` and `L` of a beam, and of a chain of [`links`].
+    pub(super) fn turned(&self, discretisation: Discretisation) -> [f64; 2] {
+        let links = links(discretisation, self.steps);
+        [self.soft * (2.0 * self.steps + links), self.soft * (self.steps - links)]
     }
 }
 

@@ -41,10 +41,10 @@ struct Hinge {
 }
 
 impl Hinge {
-    /// Those of a beam, from left to right.
+    /// Those of a beam, from left to right; not a hinge of the beam, which has no moment.
     fn all(discrete: &Discrete) -> Vec<Self> {
         let mut hinges = Vec::with_capacity(discrete.intervals);
-        for node in 0..=discrete.intervals {
+        for node in (0..=discrete.intervals).filter(|node| !discrete.divisions().is_hinge(*node)) {
             let inside = [0 < node, node < discrete.intervals];
             let built_in = discrete.supports().at(node).is_some_and(|support| support.held.slope.is_some());
             if built_in {
@@ -136,7 +136,8 @@ pub(super) fn potential(discrete: &Discrete, discretisation: Discretisation, siz
     let (depth, force) = (depth / fine, force * fine);
     // (Δ/EI) M₀ over X/Δ; the same for these units as for X and G, but for the factor √n.
     let coupling = stiffness_number(discrete).sqrt() * fine;
-    let mut equations: Vec<_> = (0..hinges.len()).map(|j| curvature(&hinges, j, discretisation, coupling)).collect();
+    let curved = |j: usize| curvature(discrete, &hinges, j, discretisation, coupling);
+    let mut equations: Vec<_> = (0..hinges.len()).map(curved).collect();
     let mut linear = vec![0.0; hinges.len()];
     // The first hinge that may be bent by an unknown.
     let mut first = 0;
@@ -160,7 +161,7 @@ pub(super) fn potential(discrete: &Discrete, discretisation: Discretisation, siz
     };
     let right = hinges.iter().map(bend).collect();
     let sizes = Sizes { x: sizes.x / fine, gradient: sizes.gradient * fine };
-    let mut quadratic = quadratic(&hinges, discretisation, 1.0);
+    let mut quadratic = quadratic(discrete, &hinges, discretisation, 1.0);
     let mut signed = hinges.len();
     if discrete.gives() {
         // The clearance of the beam is that of the foot of a spring less what that is pressed by, in units of its own.
@@ -205,7 +206,7 @@ pub(super) fn complementary(discrete: &Discrete, discretisation: Discretisation,
     equations.extend(discrete.touchable().filter_map(|node| rows[node]).map(|row| vec![(row, -1.0)]));
     linear.extend((0..n).map(|unknown| discrete.gap(discrete.node(unknown)) / depth));
     let right = discrete.free_nodes().map(|node| -discrete.loads[node] / force).collect();
-    let mut quadratic = quadratic(&hinges, discretisation, stiffness_number(discrete));
+    let mut quadratic = quadratic(discrete, &hinges, discretisation, stiffness_number(discrete));
     let give = |unknown| discrete.give(discrete.node(unknown)) * force / depth;
     (0..n).for_each(|unknown| quadratic.push(discrete.gives().then(|| give(unknown))));
     SparseForm { quadratic, linear, equations, right, signed: hinges.len(), sizes }
@@ -219,25 +220,38 @@ fn stiffness_number(discrete: &Discrete) -> f64 {
 }
 
 /// The curvature `c` in column `j` of a symmetric tridiagonal matrix, times a factor: a share of the moment of the hinge itself for
-/// each side that it has, and of that of each neighbour.
-fn curvature(hinges: &[Hinge], j: usize, discretisation: Discretisation, factor: f64) -> Vec<(usize, f64)> {
+/// each side that it has, as soft as the beam is there, of what a joint turns, and of that of each neighbour.
+fn curvature(
+    discrete: &Discrete,
+    hinges: &[Hinge],
+    j: usize,
+    discretisation: Discretisation,
+    factor: f64,
+) -> Vec<(usize, f64)> {
     let (side, beside) = match discretisation {
         Discretisation::FiniteDifferences => (0.5, 0.0),
         Discretisation::BeamElements => (2.0 / 6.0, 1.0 / 6.0),
     };
     let hinge = &hinges[j];
-    let left = j.checked_sub(1).filter(|&i| hinges[i].meets(hinge)).map(|i| (i, beside));
-    let right = hinges.get(j + 1).filter(|next| hinge.meets(next)).map(|_| (j + 1, beside));
-    let entries = left.into_iter().chain([(j, hinge.count() * side)]).chain(right);
+    let divisions = discrete.divisions();
+    let soft = [0, 1].map(|right| match hinge.sides[right] {
+        false => 0.0,
+        true => divisions.softness((hinge.node + right).saturating_sub(1)),
+    });
+    let left = j.checked_sub(1).filter(|&i| hinges[i].meets(hinge)).map(|i| (i, beside * soft[0]));
+    let right = hinges.get(j + 1).filter(|next| hinge.meets(next)).map(|_| (j + 1, beside * soft[1]));
+    let own = (soft[0] + soft[1]) * side + divisions.joint(hinge.node);
+    let entries = left.into_iter().chain([(j, own)]).chain(right);
     entries.filter(|(_, share)| *share != 0.0).map(|(i, share)| (i, factor * share)).collect()
 }
 
 /// The curvature of the moments in `P`, times a factor; nothing of what follows them.
-fn quadratic(hinges: &[Hinge], discretisation: Discretisation, factor: f64) -> UpperColumns {
+fn quadratic(discrete: &Discrete, hinges: &[Hinge], discretisation: Discretisation, factor: f64) -> UpperColumns {
     let mut columns = UpperColumns::default();
     for j in 0..hinges.len() {
         columns.starts.push(columns.rows.len());
-        for (i, value) in curvature(hinges, j, discretisation, factor).into_iter().filter(|(i, _)| *i <= j) {
+        let column = curvature(discrete, hinges, j, discretisation, factor);
+        for (i, value) in column.into_iter().filter(|(i, _)| *i <= j) {
             columns.rows.push(i);
             columns.values.push(value);
         }

@@ -1,4 +1,5 @@
-//! A beam on springs: ground that gives, `p = k Δ (v − g)` at a node in contact, half of it at an end of the beam.
+//! A beam on springs: ground that gives, `p = k Δ (v − g)` at a node in contact, half of it at an end of the beam. And a beam that changes
+//! at some nodes, which has no spring there.
 //!
 //! With the clearance `h = g − v`, negative where a spring is pressed, in units of force, `s = h EI/Δ³`, and moments in `force · Δ`, the
 //! three-moment equations of `contact_set.rs` and equilibrium are
@@ -9,11 +10,18 @@
 //! 6 c(M)_i = a M_{i−1} + 2 (a + b) M_i + b M_{i+1}
 //! ```
 //!
+//! `a`, `b` and `ϑ` times `e = EI₀/EI` where the beam is stiffer than elsewhere, and with a joint `c(M)_i + κ_j M_i`, `κ_j = EI₀/k_jΔ`.
+//! Where nothing holds the beam, `s` counts from the line through the places on both sides that do. That is
 //! a chain of [blocks] of two: no digit is lost by elimination, however soft or stiff the springs and however fine the grid.
 //! Eliminating `s` would give five-moment equations, whose condition number grows like `1/κ`. At a support, one that only pushes among them, `κ = ∞`; at the outermost
 //! nodes the moment is known.
 
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+
 use super::Discrete;
+use super::contact_set::ContactSet;
+use super::discrete::as_float;
+use super::divisions::LOOSE;
 use super::span::{Span, links};
 use crate::qp::NotPositiveDefinite;
 use crate::qp::blocks::{self, Block, PENALTY};
@@ -32,44 +40,137 @@ impl AsMut<Block> for Row {
     }
 }
 
-/// Moments at the nodes of a [list](super::contact_set::ContactSet) \[force · Δ\], and how far the ground sinks there; `outermost` are
-/// moments and forces that overhangs leave at its ends.
+/// Moments at the nodes of a [list](ContactSet) \[force · Δ\], and how far the ground sinks there; where nothing holds the beam its
+/// deflection. `outermost` are moments and forces that overhangs leave at its ends.
 pub(super) fn solve(
     discrete: &Discrete,
     discretisation: Discretisation,
-    nodes: &[usize],
+    list: &ContactSet,
     span: &impl Fn(usize, usize) -> Span,
     outermost: [[f64; 2]; 2],
 ) -> Result<[Vec<f64>; 2], NotPositiveDefinite> {
     let Discrete { spacing, stiffness, .. } = *discrete;
     let (unit, curved) = (spacing * spacing * spacing / stiffness, stiffness / (spacing * spacing));
-    let mut rows = Vec::with_capacity(nodes.len());
-    let (mut left, end) = (Span::default(), nodes.len() - 1);
+    let nodes = list.nodes();
+    let (mut rows, mut soft) = (Vec::with_capacity(nodes.len()), Vec::new());
+    let (mut left, end, mut before) = (Span::default(), nodes.len() - 1, nodes[0]);
     for (i, &node) in nodes.iter().enumerate() {
         let right = nodes.get(i + 1).map_or_else(Span::default, |next| span(node, *next));
-        let (a, b) = (left.steps, right.steps);
-        let [at_left, at_right] = [a, b].map(|steps| links(discretisation, steps));
+        let [a, b] = [left, right].map(|span| span.soft * span.steps);
+        let [at_left, at_right] = [left, right].map(|span| span.soft * links(discretisation, span.steps));
         let load = discrete.loads[node] + (left.shares[1] + right.shares[0]);
+        let is_free = list.is_free(node);
         let [w, bent, hangs] = if 0 < i && i < end {
             let w = (2.0 * (a + b) + (at_left + at_right)) / 6.0;
             let turned = (left.rotations[1] + right.rotations[0]) / 6.0;
-            [w, turned + curved * discrete.bend(nodes[i - 1], node, nodes[i + 1]), 0.0]
+            // Of the line through the places that hold the beam, from which the others count.
+            let bend = if is_free { 0.0 } else { discrete.bend(before, node, next_held(list, i)) };
+            let joint = discrete.divisions().joint(node);
+            if SOFT < joint {
+                soft.push((i, 1.0 / joint));
+            }
+            [if SOFT < joint { w } else { w + joint }, turned + curved * bend, 0.0]
         } else {
             let [moment, force] = outermost[usize::from(0 < i)];
             [PENALTY, -PENALTY * moment, force]
         };
         let is_held = discrete.supports().below(node).is_some();
-        let spring = if is_held { PENALTY } else { unit / discrete.give(node) };
-        let block = Block::new(if 0.0 < b { 1.0 / b } else { 0.0 }, w, (b - at_right) / 6.0);
+        let spring = match discrete.give(node) {
+            _ if is_free => 0.0,
+            give if is_held || give <= 0.0 => PENALTY,
+            give => unit / give,
+        };
+        let block = Block::new(if 0.0 < right.steps { 1.0 / right.steps } else { 0.0 }, w, (b - at_right) / 6.0);
         rows.push(Row { block, spring, right: [-(load + hangs), bent] });
         left = right;
+        before = if is_free { before } else { node };
     }
     blocks::factor(&mut rows, |row| row.spring);
     blocks::solve(&mut rows, |row| row.right);
+    turn(&mut rows, &soft)?;
     if let Some((index, pivot)) = rows.iter().enumerate().find_map(|(i, row)| Some((i, row.block.failed()?))) {
         return Err(NotPositiveDefinite { index, pivot });
     }
     let sunk = |row: &Row| if row.spring < PENALTY { -row.block.step[0] * unit } else { 0.0 };
+    let mut sunk: Vec<f64> = rows.iter().map(sunk).collect();
+    above_chords(discrete, list, &mut sunk);
     // No zero has a sign.
-    Ok([rows.iter().map(|row| row.block.step[1] + 0.0).collect(), rows.iter().map(sunk).collect()])
+    let moment = |(row, node): (&Row, &usize)| {
+        if discrete.divisions().is_hinge(*node) { 0.0 } else { row.block.step[1] + 0.0 }
+    };
+    Ok([rows.iter().zip(nodes).map(moment).collect(), sunk])
+}
+
+/// Joints that are this many times as soft as an interval turn by an unknown of their own. As a part of `c(M)`, next to each other, they
+/// would take as many digits from the elimination: it loses none as long as whatever is on one side of a place holds it.
+const SOFT: f64 = 1e3;
+
+/// Turns a beam without its soft joints in these, each with its stiffness, by `κ M = q` to the right-hand side of its second equation:
+///
+/// ```text
+/// M + G q = q/κ      M of the loads, G of a unit turn in each joint
+/// ```
+///
+/// On contacts that let parts between hinges move, hinges are stiff by a very small amount. What moves then leaves the beam so far below
+/// the ground that a search finds contact there.
+fn turn(rows: &mut [Row], soft: &[(usize, f64)]) -> Result<(), NotPositiveDefinite> {
+    /// The second time for what rounding left.
+    const TIMES: usize = 2;
+    if soft.is_empty() {
+        return Ok(());
+    }
+    let steps = |rows: &[Row]| rows.iter().map(|row| row.block.step).collect::<Vec<_>>();
+    let mut sum = steps(rows);
+    let mut turned = Vec::with_capacity(soft.len());
+    for (i, _) in soft {
+        rows.iter_mut().for_each(|row| row.right = [0.0; 2]);
+        rows[*i].right = [0.0, 1.0];
+        blocks::solve(rows, |row| row.right);
+        turned.push(steps(rows));
+    }
+    let entry = |k: usize, j: usize| {
+        let [response, other] = [turned[j][soft[k].0][1], turned[k][soft[j].0][1]];
+        -0.5 * (response + other) + if k == j { soft[k].1 } else { 0.0 }
+    };
+    let matrix = DMatrix::from_fn(soft.len(), soft.len(), entry);
+    let least = matrix.diagonal().amax() / LOOSE;
+    let stiffened = &matrix + DMatrix::identity(soft.len(), soft.len()) * least;
+    let sound = |factor: &Cholesky<f64, Dyn>| {
+        least < factor.l_dirty().diagonal().iter().fold(f64::INFINITY, |m, d| m.min(d * d))
+    };
+    let factor = matrix.cholesky().filter(sound).or_else(|| stiffened.cholesky());
+    let factor = factor.ok_or(NotPositiveDefinite { index: soft[0].0, pivot: 0.0 })?;
+    let mut turns = DVector::zeros(soft.len());
+    for _ in 0..TIMES {
+        let missing = DVector::from_fn(soft.len(), |k, _| sum[soft[k].0][1] - soft[k].1 * turns[k]);
+        let more = factor.solve(&missing);
+        for (turned, more) in turned.iter().zip(more.iter()) {
+            sum.iter_mut().zip(turned).for_each(|(sum, turned)| (0..2).for_each(|k| sum[k] += more * turned[k]));
+        }
+        turns += more;
+    }
+    rows.iter_mut().zip(sum).for_each(|(row, step)| row.block.step = step);
+    Ok(())
+}
+
+/// The next node of a list that holds the beam.
+fn next_held(list: &ContactSet, i: usize) -> usize {
+    let mut behind = list.nodes()[i + 1..].iter().copied().filter(|node| !list.is_free(*node));
+    behind.next().unwrap_or(list.nodes()[i])
+}
+
+/// Adds to the sag of each node that nothing holds the level of the line through the nodes on both sides that do.
+fn above_chords(discrete: &Discrete, list: &ContactSet, sunk: &mut [f64]) {
+    let nodes = list.nodes();
+    let mut held = nodes[0];
+    for i in 1..nodes.len() {
+        let node = nodes[i];
+        if !list.is_free(node) {
+            held = node;
+            continue;
+        }
+        let next = next_held(list, i);
+        let [from, to] = [held, next].map(|node| discrete.level(node));
+        sunk[i] += from + (to - from) * (as_float(node - held) / as_float(next - held));
+    }
 }

@@ -2,7 +2,7 @@
 
 use std::ops::{Range, RangeInclusive};
 
-use crate::scene::{Grid, Held, Scene, SceneError, Support};
+use crate::scene::{Grid, Held, Quantity, Scene, SceneError, Support};
 
 /// A support at a node.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,14 +42,15 @@ impl Supports {
     ///
     /// # Errors
     ///
-    /// [`SceneError::SupportBetweenNodes`] if no node lies on one of them, or two share a node.
+    /// [`SceneError::BetweenNodes`] if no node lies on one of them, or two share a node.
     pub(super) fn on(grid: &Grid, scene: &Scene) -> Result<Self, SceneError> {
         let mut before = None;
         for support in scene.beam().all_supports() {
             let node = grid.node_at(support.at).filter(|node| before.is_none_or(|before| before < *node));
             if node.is_none() {
                 let (at, intervals) = (support.at, grid.intervals());
-                return Err(SceneError::SupportBetweenNodes { at, intervals, fits: Grid::least_fitting(scene) });
+                let (quantity, fits) = (Quantity::Supports, Grid::least_fitting(scene));
+                return Err(SceneError::BetweenNodes { quantity, at, intervals, fits });
             }
             before = node;
         }
@@ -146,15 +147,29 @@ impl Supports {
 
     /// How many more places have to carry the beam before it is held: none, one, or two.
     pub(crate) fn lacking(&self) -> usize {
-        let holds: usize = self.all.iter().map(|s| if s.held.slope.is_some() { 2 } else { 1 }).sum();
-        2_usize.saturating_sub(holds)
+        2_usize.saturating_sub(self.holds().iter().map(|(_, holds)| holds).sum())
+    }
+
+    /// The nodes that they hold, ascending, with the number of motions that each prevents.
+    pub(super) fn holds(&self) -> Vec<(usize, usize)> {
+        self.all.iter().map(|support| (support.node, if support.held.slope.is_some() { 2 } else { 1 })).collect()
     }
 
     /// The same with simple supports at level zero at such ends of the beam that it is held: a basic structure for forces that
     /// are in balance without these.
     pub(super) fn completed(&self) -> Self {
-        let ghost = |node: usize| NodeSupport {
-            node,
+        match (self.lacking(), self.all.first().map(|s| s.node)) {
+            (0, _) => self.clone(),
+            (1, Some(node)) if 2 * node < self.intervals => self.and_at(&[self.intervals]),
+            (1, _) => self.and_at(&[0]),
+            _ => self.and_at(&[0, self.intervals]),
+        }
+    }
+
+    /// The same with simple supports at level zero at some other nodes.
+    pub(super) fn and_at(&self, nodes: &[usize]) -> Self {
+        let ghost = |node: &usize| NodeSupport {
+            node: *node,
             held: Held {
                 at: 0.0,
                 deflection: 0.0,
@@ -165,13 +180,8 @@ impl Supports {
             },
             below: 0.0,
         };
-        let mut all = self.all.clone();
-        match (self.lacking(), self.all.first().map(|s| s.node)) {
-            (0, _) => {}
-            (1, Some(node)) if 2 * node < self.intervals => all.push(ghost(self.intervals)),
-            (1, _) => all.insert(0, ghost(0)),
-            _ => all.extend([0, self.intervals].map(ghost)),
-        }
+        let mut all: Vec<NodeSupport> = self.all.iter().copied().chain(nodes.iter().map(ghost)).collect();
+        all.sort_by_key(|support| support.node);
         self.holding(all)
     }
 }

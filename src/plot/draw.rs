@@ -3,7 +3,8 @@
 use super::axis::Axes;
 use super::canvas::{Align, Canvas, Point, SHAFT, TEXT, Type, text_width};
 use super::label::{Frame, INK, Label, Labels, apart, sampled};
-use super::layer::{Arrows, Cell, Divisions, LABEL_ROW, Layer, LoadSketch, Place, SupportKind};
+use super::layer::{Arrows, Cell, Divisions, LABEL_ROW, Layer, LoadSketch, Place};
+use super::marks::{arc, support};
 use super::palette::{Color, Dash, Style};
 use super::{PlotError, count, finite};
 
@@ -39,7 +40,8 @@ pub(super) fn draw(
         }
         Layer::Load(sketch) => {
             distributed(canvas, sketch, axes, labels)?;
-            point_loads(canvas, sketch, axes, labels)
+            point_loads(canvas, sketch, axes, labels)?;
+            couples(canvas, sketch, axes, labels)
         }
         Layer::Cells(all) => all.iter().try_for_each(|one| cell(canvas, one, axes)),
     }
@@ -195,60 +197,6 @@ fn foundation(canvas: &mut Canvas, line: &[Point], frame: &Frame, labels: &mut L
     Ok(())
 }
 
-fn support(canvas: &mut Canvas, [x, y]: Point, kind: SupportKind) -> Result<(), PlotError> {
-    let rolls = match kind {
-        SupportKind::Hinge => false,
-        SupportKind::Roller => true,
-        SupportKind::BuiltIn { ends } => return walls(canvas, [x, y], ends),
-        SupportKind::Bearing => return block(canvas, [x, y]),
-    };
-    let triangle = [[x, y], [x + 26.0, y + 42.0], [x - 26.0, y + 42.0]];
-    canvas.fill(&triangle, Color::WHITE, 1.0)?;
-    canvas.line(&[triangle[0], triangle[1], triangle[2], triangle[0]], Color::BLACK, 4, Dash::Solid)?;
-    let ground = if rolls { y + 52.0 } else { y + 42.0 };
-    canvas.line(&[[x - 36.0, ground], [x + 36.0, ground]], Color::BLACK, 4, Dash::Solid)
-}
-
-/// A block below its level, with a plate that the beam may lie on.
-fn block(canvas: &mut Canvas, [x, y]: Point) -> Result<(), PlotError> {
-    let corners = [[x - 20.0, y + 4.0], [x + 20.0, y + 4.0], [x + 20.0, y + 42.0], [x - 20.0, y + 42.0]];
-    canvas.fill(&corners, Color::WHITE, 1.0)?;
-    let [a, b, c, d] = corners;
-    canvas.line(&[a, b, c, d, a], Color::BLACK, 4, Dash::Solid)?;
-    canvas.line(&[[x - 30.0, y + 4.0], [x + 30.0, y + 4.0]], Color::BLACK, 6, Dash::Solid)?;
-    canvas.line(&[[x - 36.0, y + 42.0], [x + 36.0, y + 42.0]], Color::BLACK, 4, Dash::Solid)
-}
-
-/// Walls that hold the beam against turning: across it where it ends, above and below it elsewhere.
-fn walls(canvas: &mut Canvas, [x, y]: Point, ends: [bool; 2]) -> Result<(), PlotError> {
-    /// Half the height of a wall, half the width of one above or below the beam, and how far that is from the axis.
-    const HEIGHT: f64 = 52.0;
-    const WIDTH: f64 = 34.0;
-    const CLEAR: f64 = 12.0;
-    /// Length of the strokes, and their distance.
-    const STROKE: f64 = 16.0;
-    let along = |from: f64, to: f64| {
-        let count = 5_u32;
-        (0..=count).map(move |k| from + (to - from) * f64::from(k) / f64::from(count))
-    };
-    let outwards = match ends {
-        [true, _] => -STROKE,
-        [_, true] => STROKE,
-        [false, false] => {
-            for side in [-1.0, 1.0] {
-                let level = y + side * CLEAR;
-                canvas.line(&[[x - WIDTH, level], [x + WIDTH, level]], Color::BLACK, 5, Dash::Solid)?;
-                let strokes = along(x - WIDTH, x + WIDTH).map(|at| [[at, level], [at - STROKE, level + side * STROKE]]);
-                canvas.lines(&strokes.collect::<Vec<_>>(), Color::BLACK, 3, Dash::Solid)?;
-            }
-            return Ok(());
-        }
-    };
-    canvas.line(&[[x, y - HEIGHT], [x, y + HEIGHT]], Color::BLACK, 6, Dash::Solid)?;
-    let strokes = along(y - HEIGHT, y + HEIGHT).map(|at| [[x, at], [x + outwards, at + STROKE]]);
-    canvas.lines(&strokes.collect::<Vec<_>>(), Color::BLACK, 3, Dash::Solid)
-}
-
 fn distributed(canvas: &mut Canvas, sketch: &LoadSketch, axes: &Axes, labels: &mut Labels) -> Result<(), PlotError> {
     /// Height of the greatest intensity, distance from the beam, distance of the arrows.
     const BLOCK: f64 = 90.0;
@@ -313,22 +261,32 @@ fn point_loads(canvas: &mut Canvas, sketch: &LoadSketch, axes: &Axes, labels: &m
     Ok(())
 }
 
-#[cfg(test)]
-mod tests {
-    use super::{Canvas, walls};
-
-    /// Each stroke leads away from the beam, which is at 100.
-    #[test]
-    fn where_the_beam_goes_on_there_is_a_wall_above_and_one_below() {
-        let mut svg = String::new();
-        let mut canvas = Canvas::new(&mut svg);
-        walls(&mut canvas, [100.0, 100.0], [false; 2]).expect("walls");
-        canvas.present().expect("a drawing");
-        assert_eq!(svg.matches("<polyline").count(), 14, "{svg}");
-        for line in
-            ["66,88 134,88", "66,112 134,112", "66,88 50,72", "66,112 50,128", "134,88 118,72", "134,112 118,128"]
-        {
-            assert!(svg.contains(line), "{line} is missing in {svg}");
+/// Couples as arcs around their places on the beam, each with a head.
+fn couples(canvas: &mut Canvas, sketch: &LoadSketch, axes: &Axes, labels: &mut Labels) -> Result<(), PlotError> {
+    /// Radius of an arc, and how far around it goes from below, in quarters.
+    const RADIUS: f64 = 46.0;
+    const QUARTERS: [f64; 2] = [1.4, 4.1];
+    const HEAD: f64 = 18.0;
+    for (x, moment, text) in &sketch.couples {
+        let center = [axes.x.place(*x), axes.y.place(sketch.level)];
+        if finite("a couple", *moment)? == 0.0 {
+            continue;
         }
+        // Angles grow clockwise on the page, from the right.
+        let mut line = arc(center, RADIUS, QUARTERS);
+        if *moment < 0.0 {
+            line.iter_mut().for_each(|p| p[0] = 2.0 * center[0] - p[0]);
+        }
+        let (Some(&tip), Some(&before)) = (line.last(), line.get(line.len().saturating_sub(2))) else { continue };
+        let length = libm::hypot(tip[0] - before[0], tip[1] - before[1]);
+        let [along, across] = [(tip[0] - before[0]) / length, (tip[1] - before[1]) / length];
+        let corner = |side: f64| {
+            [tip[0] - HEAD * along + side * 0.5 * HEAD * across, tip[1] - HEAD * across - side * 0.5 * HEAD * along]
+        };
+        canvas.line(&line, Color::BLACK, 5, Dash::Solid)?;
+        canvas.fill(&[tip, corner(1.0), corner(-1.0)], Color::BLACK, 1.0)?;
+        labels.avoid(sampled(&line, INK));
+        labels.ask(Label::new(text, [center[0], center[1] - RADIUS], Color::BLACK));
     }
+    Ok(())
 }

@@ -135,6 +135,15 @@ pub enum SupportKind {
     },
     /// It pushes, and lets the beam lift off.
     Bearing,
+    /// A zigzag: it gives. True if it lets the beam lift off.
+    Spring(bool),
+    /// A spiral around the place: it holds the slope and gives.
+    Turning,
+    /// A circle on the beam: no support, but a joint; open for a hinge.
+    Joint {
+        /// It has no stiffness.
+        open: bool,
+    },
 }
 
 /// Forces as arrows whose length is read on the force axis of the panel, or on its vertical axis if it has none.
@@ -172,13 +181,16 @@ pub struct LoadSketch {
     pub values: Vec<(f64, f64, String)>,
     /// Point loads, `(x, force, text)`.
     pub points: Vec<(f64, f64, String)>,
+    /// Couples, `(x, moment, text)`, positive clockwise on the page.
+    pub couples: Vec<(f64, f64, String)>,
 }
 
 impl LoadSketch {
     /// Whether there is anything to draw.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.intensity.iter().all(|p| p[1] == 0.0) && self.points.iter().all(|p| p.1 == 0.0)
+        let none = |acts: &[(f64, f64, String)]| acts.iter().all(|p| p.1 == 0.0);
+        self.intensity.iter().all(|p| p[1] == 0.0) && none(&self.points) && none(&self.couples)
     }
 }
 
@@ -233,7 +245,7 @@ impl Layer {
             Self::Cells(cells) => of(&cells.iter().map(|cell| cell.at).collect::<Vec<_>>()),
             Self::Load(load) => {
                 let [mut xs, _] = of(&load.intensity);
-                xs.extend(load.points.iter().map(|p| p.0));
+                xs.extend(load.points.iter().chain(&load.couples).map(|p| p.0));
                 [xs, vec![load.level]]
             }
         }

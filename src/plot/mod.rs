@@ -32,6 +32,7 @@ mod envelope;
 mod figure;
 mod label;
 mod layer;
+mod marks;
 mod palette;
 mod panel;
 mod sketch;

@@ -1,9 +1,9 @@
 //! What is given, as it is drawn: the foundation below the beam, the loads above it, and units.
 
 use super::curves::Curves;
-use super::layer::{Layer, LoadSketch, Place, SupportKind, SupportMark};
+use super::layer::{Divisions, Layer, LoadSketch, Place, SupportKind, SupportMark};
 use super::{DIGITS, SAMPLES};
-use crate::scene::{Foundation, Scene, Support, Units};
+use crate::scene::{Foundation, Joint, Scene, Support, Units};
 use crate::text::significant;
 
 /// The foundation as far as it is drawn.
@@ -59,7 +59,27 @@ pub(super) fn foundation_line(scene: &Scene, curves: &Curves) -> Ground {
     } else {
         Some(format!("The foundation is not drawn where it lies deeper than {}.", in_words(limit)))
     };
-    Ground { pieces, below, remark }
+    Ground { pieces: above_ground(scene, pieces), below, remark }
+}
+
+/// The same without what is above gaps in an elastic foundation.
+fn above_ground(scene: &Scene, pieces: Vec<Vec<Place>>) -> Vec<Vec<Place>> {
+    if scene.ground_parts().all(|(_, k)| 0.0 < k) {
+        return pieces;
+    }
+    let at = |piece: &[Place], x: f64| {
+        let next = piece.partition_point(|p| p[0] < x).clamp(1, piece.len() - 1);
+        let [a, b] = [piece[next - 1], piece[next]];
+        [x, a[1] + (b[1] - a[1]) * ((x - a[0]) / (b[0] - a[0]))]
+    };
+    let within = |piece: &Vec<Place>, [from, to]: [f64; 2]| {
+        let [from, to] = [from.max(piece[0][0]), to.min(piece[piece.len() - 1][0])];
+        let inside = piece.iter().copied().filter(|p| from < p[0] && p[0] < to);
+        let all = || std::iter::once(at(piece, from)).chain(inside).chain([at(piece, to)]).collect::<Vec<Place>>();
+        (from < to && 2 <= piece.len()).then(all)
+    };
+    let grounded: Vec<[f64; 2]> = scene.ground_parts().filter(|(_, k)| 0.0 < *k).map(|(part, _)| part).collect();
+    pieces.iter().flat_map(|piece| grounded.iter().filter_map(|part| within(piece, *part))).collect()
 }
 
 /// The stretches of a line that are not deeper than `limit`, and those from where to where it is.
@@ -94,12 +114,14 @@ fn cut(line: &[Place], limit: f64) -> (Vec<Vec<Place>>, Vec<[f64; 2]>) {
 }
 
 /// The supports as engineers draw them: the first of simple ones is a hinge, and the others roll; what only pushes is a block that the
-/// beam is not tied to.
+/// beam is not tied to, and what gives is a spring.
 pub(super) fn support_marks(scene: &Scene) -> Layer {
     let (beam, supports) = (scene.beam(), scene.beam().all_supports());
     let is_held = supports.iter().any(|support| support.slope.is_some());
     let mark = |(i, support): (usize, &Support)| {
         let kind = match support.slope {
+            _ if support.stiffness.is_some() => SupportKind::Spring(support.pushes_only),
+            _ if support.turning_stiffness.is_some() => SupportKind::Turning,
             Some(_) => SupportKind::BuiltIn { ends: [support.at <= 0.0, beam.length() <= support.at] },
             None if support.pushes_only => SupportKind::Bearing,
             None if i == 0 && !is_held => SupportKind::Hinge,
@@ -107,7 +129,36 @@ pub(super) fn support_marks(scene: &Scene) -> Layer {
         };
         SupportMark { at: [support.at, support.level], kind }
     };
-    Layer::Supports(supports.iter().enumerate().map(mark).collect())
+    let both = |support: &&Support| support.stiffness.is_some() && support.turning_stiffness.is_some();
+    let turning = supports.iter().filter(both).map(|s| SupportMark { at: [s.at, s.level], kind: SupportKind::Turning });
+    Layer::Supports(supports.iter().enumerate().map(mark).chain(turning).collect())
+}
+
+/// The joints, on the deflected beam.
+pub(super) fn joint_marks(scene: &Scene, curves: &Curves) -> Layer {
+    let axis = curves.axis();
+    let height = |x: f64| axis.iter().find(|p| x <= p[0]).map_or(0.0, |p| p[1]);
+    let mark = |joint: &Joint| SupportMark {
+        at: [joint.at, height(joint.at)],
+        kind: SupportKind::Joint { open: joint.stiffness.is_none() },
+    };
+    Layer::Supports(scene.beam().joints().iter().map(mark).collect())
+}
+
+/// Where the bending stiffness changes, and what it is on both sides.
+pub(super) fn changes(scene: &Scene, units: &UnitLabels) -> Divisions {
+    let (beam, steps) = (scene.beam(), scene.beam().steps());
+    if beam.changes().next().is_none() {
+        return Divisions::default();
+    }
+    let ends = steps.iter().skip(1).map(|step| step[0]).chain([beam.length()]);
+    let unit = units.moment.as_ref().zip(units.length.as_ref()).map(|(moment, length)| format!("{moment}·{length}"));
+    let of =
+        |([from, stiffness], to): (&[f64; 2], f64)| ([*from, to], format!("EI = {}", with_unit(*stiffness, &unit)));
+    Divisions {
+        lines: beam.changes().map(|x| (x, String::new())).collect(),
+        between: steps.iter().zip(ends).map(of).collect(),
+    }
 }
 
 /// `q(x)` as a line with its steps, and the point loads.
@@ -142,7 +193,8 @@ pub(super) fn sketch(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Load
     // Above the highest point of the beam, which may rise above the line of its supports.
     let drawn = curves.axis().into_iter().map(|p| p[1]).chain(curves.shape.iter().copied());
     let level = drawn.fold(0.0_f64, f64::min);
-    LoadSketch { level, intensity, values, points }
+    let couples = load.couple().iter().map(|c| (c.at, c.moment, with_unit(c.moment.abs(), &units.moment))).collect();
+    LoadSketch { level, intensity, values, points, couples }
 }
 
 /// Units as they are printed; `None` where the scene names none.

@@ -7,7 +7,7 @@ use super::figure::Figure;
 use super::layer::{Arrow, Arrows, Layer, Place};
 use super::palette::{Color, Dash, Marker, Style};
 use super::panel::Panel;
-use super::sketch::{Ground, UnitLabels, foundation_line, sketch, support_marks, with_unit};
+use super::sketch::{Ground, UnitLabels, changes, foundation_line, joint_marks, sketch, support_marks, with_unit};
 use super::{PlotError, finite, same_length};
 use crate::scene::Scene;
 use crate::state::{Extremes, SupportForce};
@@ -158,10 +158,13 @@ fn shape(scene: &Scene, curves: &Curves, ground: &Ground, units: &UnitLabels) ->
         (true, true) => 190.0,
         (true, false) => 280.0,
     };
+    let changes = changes(scene, units);
     panel = panel
+        .room(headroom + changes.headroom(), footroom(ground))
+        .with(Layer::Divisions(changes))
         .with(support_marks(scene))
         .with(Layer::line(curves.axis(), Style { width: 9, ..Style::solid(Color::BLACK) }))
-        .room(headroom, footroom(ground));
+        .with(joint_marks(scene, curves));
     if load {
         panel = panel.with(Layer::Load(sketch));
     }
@@ -196,7 +199,8 @@ fn small(name: &str, scene: &Scene, curves: &Curves) -> Panel {
     let arrows = Arrows { arrows: arrows.collect(), color: Color::VERMILLION, dash: Dash::Solid };
     panel = panel.with(support_marks(scene));
     panel.layers.extend(touching(&beam, curves));
-    panel.with(Layer::line(beam, Style { width: 7, ..Style::solid(Color::BLACK) })).with(Layer::Arrows(arrows))
+    let beam = Layer::line(beam, Style { width: 7, ..Style::solid(Color::BLACK) });
+    panel.with(beam).with(joint_marks(scene, curves)).with(Layer::Arrows(arrows))
 }
 
 /// How high a line is at `x`, or at the first of its points beyond.
@@ -237,10 +241,11 @@ fn clearance(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Vec<P
     let panel = |name: &str, points: Vec<Place>, at: f64, value: f64| {
         let y = Axis::new(name).unit(units.length.clone()).including(&[0.0]);
         let touching = touching(&points, curves);
-        let mut panel = Panel::new(along(scene, units), y)
-            .tall(380.0)
-            .room(1.75 * TEXT, 20.0)
-            .with(Layer::line(points, Style::solid(Color::BLUE)));
+        let mut panel = Panel::new(along(scene, units), y).tall(380.0).room(1.75 * TEXT, 20.0);
+        // Above a gap in the foundation there is none.
+        let stretches =
+            points.chunk_by(|a, b| a[1].is_finite() && b[1].is_finite()).filter(|part| part[0][1].is_finite());
+        panel.layers.extend(stretches.map(|part| Layer::line(part.to_vec(), Style::solid(Color::BLUE))));
         panel.layers.extend(touching);
         // A beam that lies on the ground from end to end has no clearance to name.
         let note = extreme("h", at, value, &units.length, units);

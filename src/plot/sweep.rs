@@ -125,6 +125,7 @@ fn name(quantity: Quantity, scene: &Scene) -> (&'static str, Option<String>) {
     match quantity {
         Quantity::Length => ("length of the beam", length),
         Quantity::BendingStiffness | Quantity::StepStiffness(_) => ("bending stiffness", stiffness),
+        Quantity::GroundStepAt(_) => ("place where the stiffness of the ground changes", length),
         Quantity::StepAt(_) => ("place where the bending stiffness changes", length),
         Quantity::JointAt(_) => ("place of the joint", length),
         Quantity::JointStiffness(_) => ("stiffness of the joint", moment),
@@ -141,7 +142,11 @@ fn name(quantity: Quantity, scene: &Scene) -> (&'static str, Option<String>) {
         Quantity::SupportTurningStiffness(_) => ("turning stiffness of the support", None),
         Quantity::SupportSlope(_) => ("slope at the support", None),
         Quantity::Profile(_, ProfileKey::Depth) => ("depth of the ground", length),
-        Quantity::Profile(..) | Quantity::Supports | Quantity::TotalLoad | Quantity::GroundStiffness => ("", None),
+        Quantity::Profile(..)
+        | Quantity::Supports
+        | Quantity::TotalLoad
+        | Quantity::GroundStiffness
+        | Quantity::GroundStepStiffness(_) => ("", None),
     }
 }
 

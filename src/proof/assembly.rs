@@ -242,7 +242,9 @@ impl Assembly<'_> {
         /// Of the first and the last part of a span, in powers of two: from the shortest that a place of 64 bits can tell.
         const SHARES: [i32; 4] = [-40, -30, -20, -12];
         let given = self.given;
-        given.springs.as_ref()?;
+        if !given.is_on_soil() {
+            return None;
+        }
         let last = span.len() - 1;
         SHARES.into_iter().find_map(|share| {
             let inner = |i: usize| {
@@ -338,7 +340,7 @@ impl Assembly<'_> {
         let (given, [a, b]) = (self.given, [&self.nodes[i - 1], &self.nodes[i]]);
         let part = [a.x, b.x];
         let (gap, l) = (given.gap(part).ok_or(Unproven::Place { at: a.x })?, width(part));
-        let k = given.springs.clone().unwrap_or(RBig::ZERO);
+        let k = given.soil(part);
         let ends = [given.end(a, 1)?, given.end(b, 0)?];
         let below = [0, 1].map(|side| {
             let [g, turn] = jet(&gap, &if side == 0 { RBig::ZERO } else { l.clone() });

@@ -21,8 +21,8 @@ pub(super) struct Given {
     pub(super) joints: Vec<(f64, Option<RBig>)>,
     /// `N`, zero without tension.
     pub(super) tension: RBig,
-    /// `k` of ground that gives.
-    pub(super) springs: Option<RBig>,
+    /// `k` of ground that gives, in parts; none on rigid ground.
+    soil: Vec<([f64; 2], RBig)>,
     loads: Profile,
     /// Point loads and couples.
     acting: Vec<(f64, [RBig; 2])>,
@@ -113,7 +113,7 @@ impl Given {
     /// [`Unproven::Cosine`], and [`Unproven::AboveSupport`] where nothing is admissible without rounding.
     pub(super) fn of(scene: &Scene, press: &[f64]) -> Result<Self, Unproven> {
         let (beam, load, l) = (scene.beam(), scene.load(), scene.beam().length());
-        let springs = scene.ground_stiffness().map(exactly);
+        let soil = scene.ground_parts().map(|(ends, k)| (ends, exactly(k))).collect();
         let parts = load.linear().iter().filter(|q| q.from < q.to).map(|q| line([q.from, q.start], [q.to, q.end]));
         let level = Foundation::Flat { depth: 0.0 };
         let mut given = Self {
@@ -125,7 +125,7 @@ impl Given {
             acting: load.concentrated().map(|acts| (acts.at, [acts.force, acts.couple].map(exactly))).collect(),
             ground: scene.foundation().map_or(Ok(Vec::new()), |ground| profile(Of::Foundation, ground, l))?,
             shape: profile(Of::Shape, beam.shape().unwrap_or(&level), l)?,
-            springs,
+            soil,
             alone: Vec::new(),
             supports: Vec::new(),
             elastic: Vec::new(),
@@ -136,9 +136,10 @@ impl Given {
         let acts = given.acting.iter().map(|acts| acts.0).chain(given.joints.iter().map(|joint| joint.0));
         let changes = given.bending.iter().map(|(ends, _)| ends[0]).chain(beam.springs().iter().map(|s| s.at));
         given.hanging_breaks = sorted(ends(&given.loads).into_iter().chain(acts).chain(changes), l);
-        let parts = [&given.ground, &given.shape].map(ends).concat().into_iter();
+        let soil = given.soil.iter().map(|(ends, _)| ends[0]);
+        let parts = [&given.ground, &given.shape].map(ends).concat().into_iter().chain(soil).collect::<Vec<f64>>();
         let single = beam.all_supports().into_iter().map(|s| s.at).chain(given.hanging_breaks.iter().copied());
-        given.breaks = sorted(parts.chain(single), l);
+        given.breaks = sorted(parts.into_iter().chain(single), l);
         given.cut_for_tension(scene);
         given.edges(scene);
         given.stand(scene, press)?;
@@ -157,7 +158,7 @@ impl Given {
 
     /// The edges of steps at the ends of the beam, where there is no part of the beam on the other side.
     fn edges(&mut self, scene: &Scene) {
-        let Some(Foundation::Polyline { points }) = scene.foundation().filter(|_| self.springs.is_none()) else {
+        let Some(Foundation::Polyline { points }) = scene.foundation().filter(|_| !self.is_on_soil()) else {
             return;
         };
         for x in [0.0, self.length] {
@@ -187,7 +188,7 @@ impl Given {
                 self.alone.push((x, level.clone()));
             }
             if presses {
-                if !pushes_only && self.springs.is_none() && self.depth(x).is_some_and(|g| g < level) {
+                if !pushes_only && !self.is_on_soil() && self.depth(x).is_some_and(|g| g < level) {
                     return Err(Unproven::AboveSupport { at: x });
                 }
                 let tangent = tangents.iter().find(|held| held.at == x).map_or([false; 2], |h| h.tangent);
@@ -213,8 +214,22 @@ impl Given {
         next.map_or([x, f64::INFINITY], |y| [x.min(*y), x.max(*y)])
     }
 
+    /// Whether the ground gives.
+    pub(super) fn is_on_soil(&self) -> bool {
+        !self.soil.is_empty()
+    }
+
+    /// `k` on a part without a break; zero on rigid ground.
+    pub(super) fn soil(&self, ends: [f64; 2]) -> RBig {
+        let i = self.soil.partition_point(|(part, _)| part[1] < ends[1]);
+        self.soil.get(i).or(self.soil.last()).map_or(RBig::ZERO, |(_, k)| k.clone())
+    }
+
     /// `g` on a part without a break; none without ground.
     pub(super) fn gap(&self, ends: [f64; 2]) -> Option<Polynomial> {
+        if self.is_on_soil() && self.soil(ends).is_zero() {
+            return None;
+        }
         let gap = plus(on(&self.ground, ends)?, &-RBig::ONE, on(&self.shape, ends)?);
         Some(shifted(&gap, &exactly(ends[0])))
     }
@@ -232,7 +247,7 @@ impl Given {
 
     /// `g(x)` of what does not give: at a step the smaller of the two, and that of a support that only pushes.
     pub(super) fn depth(&self, x: f64) -> Option<RBig> {
-        let sides = [true, false].into_iter().filter(|_| self.springs.is_none());
+        let sides = [true, false].into_iter().filter(|_| !self.is_on_soil());
         let sides = sides.filter_map(|left| self.side(x, left)).map(|[g, _]| g);
         sides.chain(self.alone.iter().filter(|s| s.0 == x).map(|s| s.1.clone())).min()
     }

@@ -29,6 +29,15 @@ impl Given {
             let mut node = HoldingNode::new(x, None, part);
             if left.is_some() || right.is_some() {
                 self.press(&mut node, [left, right], scale);
+                if self.joint(x).is_some() {
+                    // What hangs on one side of a joint has a slope of its own.
+                    let beside = [i.checked_sub(1).and_then(|i| stretches.get(i)), stretches.get(i)];
+                    for (side, stretch) in beside.into_iter().enumerate() {
+                        if let Some(part) = stretch.filter(|part| part.sunk.is_empty()) {
+                            node.slopes[side] = exactly(part.ends[1 - side][1] * (scale.depth / scale.length));
+                        }
+                    }
+                }
             }
             nodes.push(node);
         }

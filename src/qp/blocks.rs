@@ -11,6 +11,13 @@
 //! d = a g + h²,   a' = Θ' + (a c² + 2 c h σ − g σ²)/d,   g' = w' + (g c² + 2 c h ω − a ω²)/d
 //! e' = η' + (c (a (g + ω) + h e) + σ (c g + h ω))/d
 //! ```
+//!
+//! A row may be a spring of the stiffness `k` against turning instead, between a place and itself: `y` is the same before and behind it,
+//! and `x` falls by `k ψ` from left to right with the slope `ψ = e y + g x + …` that the chain on its left has there. Nothing cancels:
+//!
+//! ```text
+//! s = 1/(1 + k g):     a' = a + k s e²,   e' = s e,   g' = s g
+//! ```
 
 /// Large enough to fix the variable of its row to all digits: a power of two, so that nothing else is rounded.
 pub(crate) const PENALTY: f64 = f64::from_bits(0x52b0_0000_0000_0000);
@@ -27,6 +34,8 @@ pub(crate) struct Block {
     /// The same of `Θ`, `σ`, and what `B` has more on its diagonal, `η`: of a beam on springs.
     sigma: f64,
     eta: f64,
+    /// Of a spring against turning its stiffness `k`; its `w` is that of the chain on its left.
+    turning: f64,
     /// Pivot block `[[a, −h], [−h, −g]]` and `1/(a g + h²)`.
     a: f64,
     h: f64,
@@ -45,6 +54,11 @@ impl Block {
     /// The same on springs.
     pub(crate) fn on_springs(self, sigma: f64, eta: f64) -> Self {
         Self { sigma, eta, ..self }
+    }
+
+    /// A spring against turning, as a row of its own before that of its place.
+    pub(crate) fn turning(self, stiffness: f64) -> Self {
+        Self { turning: stiffness, ..self }
     }
 
     /// The pivot, if it is no positive number, or if the solution is none.
@@ -68,13 +82,27 @@ struct Carried {
     g: f64,
 }
 
-/// The entries `c`, `ω` and `σ` between two rows.
-type Between = [f64; 3];
+/// What is between two rows: the entries `c`, `ω` and `σ`, or the stiffness of a spring against turning between both sides of a place.
+#[derive(Debug, Clone, Copy)]
+struct Between {
+    entries: [f64; 3],
+    turning: f64,
+}
+
+impl Between {
+    /// What a solution on one side adds to the equations on the other.
+    #[inline]
+    fn across(self, [y, x]: [f64; 2]) -> [f64; 2] {
+        let [c, off, sigma] = self.entries;
+        [sigma * y + c * x, c * y - off * x]
+    }
+}
 
 impl Block {
-    /// The entries between this row and the one to its right.
+    /// What is between this row and the one to its right.
+    #[inline]
     fn beside(&self) -> Between {
-        [self.c, self.off, self.sigma]
+        Between { entries: [self.c, self.off, self.sigma], turning: self.turning }
     }
 
     /// Sets the pivot block.
@@ -86,9 +114,17 @@ impl Block {
         self.inverse = 1.0 / (self.a * self.g + self.h * self.h);
     }
 
-    /// Eliminates the row, from which the entries lead on.
+    /// Eliminates the row towards another.
     #[inline]
-    fn eliminate(&mut self, carried: Carried, theta: f64, [c, off, sigma]: Between) -> Carried {
+    fn eliminate(&mut self, carried: Carried, theta: f64, between: Between) -> Carried {
+        let k = between.turning;
+        if 0.0 < k {
+            (self.h, self.g) = (carried.e, carried.g + self.w);
+            self.inverse = 1.0 / (1.0 + k * self.g);
+            let Carried { a, e, .. } = carried;
+            return Carried { a: a + theta + k * self.inverse * e * e, e: e * self.inverse, g: self.g * self.inverse };
+        }
+        let [c, off, sigma] = between.entries;
         self.pivot(carried, theta, c);
         let e = carried.e + self.eta;
         let (scaled, turned) = (c * self.inverse, sigma * self.inverse);
@@ -104,12 +140,30 @@ impl Block {
     fn solved(&self, [y1, y2]: [f64; 2]) -> [f64; 2] {
         [(self.g * y1 - self.h * y2) * self.inverse, -(self.h * y1 + self.a * y2) * self.inverse]
     }
-}
 
-/// What a solution beside a row adds to its equations.
-#[inline]
-fn across([c, off, sigma]: Between, [y, x]: [f64; 2]) -> [f64; 2] {
-    [sigma * y + c * x, c * y - off * x]
+    /// Sets what its equations without the next row say, and returns what that adds there.
+    #[inline]
+    fn forwards(&mut self, [y1, y2]: [f64; 2], between: Between) -> [f64; 2] {
+        if 0.0 < between.turning {
+            self.step = [0.0, y2];
+            return [between.turning * self.inverse * self.h * y2 - y1, -(self.inverse * y2)];
+        }
+        self.step = self.solved([y1, y2]);
+        between.across(self.step)
+    }
+
+    /// Corrects that for the solution of the next row.
+    #[inline]
+    fn backwards(&mut self, next: [f64; 2], between: Between) -> [f64; 2] {
+        if 0.0 < between.turning {
+            let [y, x] = next;
+            self.step = [y, self.inverse * x - between.turning * self.inverse * (self.h * y + self.step[1])];
+        } else {
+            let [more_y, more_x] = self.solved(between.across(next));
+            self.step = [self.step[0] - more_y, self.step[1] - more_x];
+        }
+        self.step
+    }
 }
 
 /// Factors the matrix, with `Θ_i` the `ratio` of a row, from left to right.
@@ -156,36 +210,28 @@ pub(crate) fn solve_towards<R: AsMut<Block>>(rows: &mut [R], meeting: usize, rig
     let (before, behind) = rows.split_at_mut(meeting);
     let mut from_left = [0.0; 2];
     for row in before.iter_mut() {
-        let r = right(row);
+        let rest = less(right(row), from_left);
         let row = row.as_mut();
-        row.step = row.solved(less(r, from_left));
-        from_left = across(row.beside(), row.step);
+        from_left = row.forwards(rest, row.beside());
     }
     let mut from_right = [0.0; 2];
     for i in (1..behind.len()).rev() {
-        let r = right(&behind[i]);
+        let rest = less(right(&behind[i]), from_right);
         let between = behind[i - 1].as_mut().beside();
-        let row = behind[i].as_mut();
-        row.step = row.solved(less(r, from_right));
-        from_right = across(between, row.step);
+        from_right = behind[i].as_mut().forwards(rest, between);
     }
     let Some(middle) = behind.first_mut() else { return };
-    let r = right(middle);
+    let rest = less(less(right(middle), from_left), from_right);
     let middle = middle.as_mut();
-    middle.step = middle.solved(less(less(r, from_left), from_right));
+    middle.step = middle.solved(rest);
     let (mut next, step) = (middle.step, middle.step);
     for row in before.iter_mut().rev() {
         let row = row.as_mut();
-        let [more_y, more_x] = row.solved(across(row.beside(), next));
-        row.step = [row.step[0] - more_y, row.step[1] - more_x];
-        next = row.step;
+        next = row.backwards(next, row.beside());
     }
     let mut next = step;
     for i in 1..behind.len() {
         let between = behind[i - 1].as_mut().beside();
-        let row = behind[i].as_mut();
-        let [more_y, more_x] = row.solved(across(between, next));
-        row.step = [row.step[0] - more_y, row.step[1] - more_x];
-        next = row.step;
+        next = behind[i].as_mut().backwards(next, between);
     }
 }

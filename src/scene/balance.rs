@@ -231,14 +231,14 @@ impl Balance {
     }
 }
 
-/// The outermost places that can carry a beam without supports that hold: its ends on ground, and else supports that push.
+/// The outermost places that can carry a beam without supports that hold: ends of the ground, and supports that push.
 fn ends(scene: &Scene) -> Option<[f64; 2]> {
-    if scene.foundation().is_some() {
-        return Some([0.0, scene.beam().length()]);
-    }
     let places = || pushing(scene).map(|support| support.at);
-    let [first, last] = [places().reduce(f64::min)?, places().reduce(f64::max)?];
-    Some([first, last])
+    let outermost = places().reduce(f64::min).zip(places().reduce(f64::max)).map(|(first, last)| [first, last]);
+    match (scene.ground_ends(), outermost) {
+        (Some(ground), Some(pushing)) => Some([ground[0].min(pushing[0]), ground[1].max(pushing[1])]),
+        (ground, pushing) => ground.or(pushing),
+    }
 }
 
 /// The supports that only push.
@@ -256,9 +256,10 @@ fn gives(scene: &Scene, at: f64) -> bool {
 fn braced(scene: &Scene, about: &Support) -> bool {
     let any = |beside: &dyn Fn(&Support) -> bool| pushing(scene).any(beside);
     let is_between = any(&|bearing| bearing.at < about.at) && any(&|bearing| about.at < bearing.at);
+    let beside = || scene.is_grounded_beside(about.at) == [true; 2] && scene.depth(about.at) <= about.level;
     is_between
         || scene.foundation().is_some() && scene.ground_stiffness().is_none()
-        || scene.ground_stiffness().is_some() && scene.depth(about.at) <= about.level
+        || scene.ground_stiffness().is_some() && beside()
 }
 
 /// The resultant of the loads; its place is no number if they have none.

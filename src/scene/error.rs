@@ -1,10 +1,9 @@
 //! What can be wrong with a scene: the quantity, its value and what is required of it.
 
 use super::balance::Unheld;
-use super::grid::MOST_FITTING;
 use super::quantity::{Profile, ProfileKey, Quantity};
 use super::scale::Scale;
-use super::written::{against, shown};
+use super::written::{against, fitting, placed, shown};
 
 /// Why a scene was refused.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -109,9 +108,23 @@ pub enum SceneError {
         /// The distance that is too small still.
         least: f64,
     },
-    /// A bending stiffness in steps without steps.
-    #[error("`beam.bending_stiffness.steps` needs at least one pair [x, stiffness], but has none")]
-    NoSteps,
+    /// A stiffness in steps without steps.
+    #[error("`{of}.steps` needs at least one pair [x, stiffness], but has none")]
+    NoSteps {
+        /// Which stiffness.
+        of: Quantity,
+    },
+    /// A negative stiffness of an elastic foundation.
+    #[error("`{quantity}` must not be negative, but is {}; 0 leaves a gap without foundation", shown(*value))]
+    NegativeGroundStiffness {
+        /// Which number.
+        quantity: Quantity,
+        /// Its value.
+        value: f64,
+    },
+    /// An elastic foundation whose stiffness is 0 from end to end.
+    #[error("`{}` is 0 from end to end; leave out `[foundation]` if there is none", Quantity::GroundStiffness)]
+    NoGroundAnywhere,
     /// A step of the bending stiffness, or a joint, that is not where it could be.
     #[error("`{quantity}` must {expected}, but is {}", shown(*value))]
     Misplaced {
@@ -289,14 +302,16 @@ pub enum SceneError {
         /// What it came to.
         value: f64,
     },
-    /// A support between the nodes of a grid.
-    #[error("no node of {intervals} equal intervals lies on the support at x = {}; {}", shown(*at), fitting(*fits))]
-    SupportBetweenNodes {
-        /// Where the support is.
+    /// What a grid needs a node for lies between its nodes.
+    #[error("no node of {intervals} equal intervals lies on {} at x = {}; {}", placed(*quantity), shown(*at), fitting(*fits))]
+    BetweenNodes {
+        /// The supports, a joint, or a step of the bending stiffness.
+        quantity: Quantity,
+        /// Where it is.
         at: f64,
         /// The number of intervals asked for.
         intervals: usize,
-        /// The least number that has a node at every support, if it is not too large.
+        /// The least number that has a node at each of them, if it is not too large.
         fits: Option<usize>,
     },
     /// A grid without interior nodes.
@@ -320,8 +335,8 @@ impl SceneError {
     #[must_use]
     pub fn in_units_of(self, scale: &Scale) -> Self {
         match self {
-            Self::SupportBetweenNodes { at, intervals, fits } => {
-                Self::SupportBetweenNodes { at: at * scale.length, intervals, fits }
+            Self::BetweenNodes { quantity, at, intervals, fits } => {
+                Self::BetweenNodes { quantity, at: at * scale.length, intervals, fits }
             }
             other => other,
         }
@@ -342,6 +357,7 @@ impl SceneError {
             | Self::StepInShape { quantity, .. }
             | Self::Misplaced { quantity, .. }
             | Self::StepNotPositive { quantity, .. }
+            | Self::NegativeGroundStiffness { quantity, .. }
             | Self::JointsTooClose { quantity, .. }
             | Self::JointAtBuiltIn { quantity, .. }
             | Self::CoupleAtJoint { quantity, .. }
@@ -356,21 +372,12 @@ impl SceneError {
             | Self::RisesAtBuiltIn { .. }
             | Self::ValleyAtSupport { .. } => Some(Quantity::Profile(Profile::Foundation, ProfileKey::Whole)),
             Self::CornerAtBuiltIn { .. } => Some(Quantity::Profile(Profile::Shape, ProfileKey::Whole)),
-            Self::NeedsRigidGround { .. } => Some(Quantity::GroundStiffness),
-            Self::NoSteps => Some(Quantity::BendingStiffness),
-            Self::Unheld(_) | Self::SupportBetweenNodes { .. } => Some(Quantity::Supports),
+            Self::NeedsRigidGround { .. } | Self::NoGroundAnywhere => Some(Quantity::GroundStiffness),
+            Self::NoSteps { of } => Some(of),
+            Self::BetweenNodes { quantity, .. } => Some(quantity),
+            Self::Unheld(_) => Some(Quantity::Supports),
             Self::TooFewIntervals { .. } | Self::NoMemory { .. } | Self::NotKnown { .. } => None,
         }
-    }
-}
-
-/// What to do about a support between nodes.
-fn fitting(fits: Option<usize>) -> String {
-    match fits {
-        Some(least) => {
-            format!("the least number of intervals with a node at every support is {least} (--intervals {least})")
-        }
-        None => format!("no number of intervals up to {MOST_FITTING} has a node at every support"),
     }
 }
 

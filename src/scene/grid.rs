@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::{Concentrated, Foundation, Load, Scene, SceneError};
+use super::{Concentrated, Foundation, Scene, SceneError};
 use crate::memory::can_be_had;
 
 /// `N = n + 1` equal intervals with `n` interior nodes; node `i` lies at `x_i = l i / N`, `i = 0 … N`.
@@ -62,20 +62,28 @@ impl Grid {
         self.length / self.intervals as f64
     }
 
-    /// `1/kΔ`, how far ground of a stiffness gives at a node under a unit force: an end of the beam has half a spring. Rigid ground does
-    /// not give.
-    #[must_use]
-    pub fn give(&self, ground: Option<f64>, node: usize) -> f64 {
-        self.give_beside(ground, node, |_| false)
-    }
-
-    /// The same beside supports that only push and are sunk into the ground: each leaves half a spring to each of its neighbours, so
-    /// that it stands on its node alone.
-    pub(crate) fn give_beside(&self, ground: Option<f64>, node: usize, is_sunk: impl Fn(usize) -> bool) -> f64 {
-        let own = if node == 0 || node == self.intervals { 0.5 } else { 1.0 };
-        let beside = [node.checked_sub(1), Some(node + 1)].into_iter().flatten().filter(|node| is_sunk(*node));
-        let width = beside.fold(own, |width, _| width + 0.5) * self.spacing();
-        ground.map_or(0.0, |k| 1.0 / (k * width))
+    /// `1/∫k`, how far ground gives at a node under a unit force, with the integral over half an interval on each side of it: an end of the
+    /// beam has half a spring. Of the ground its [parts](Scene::ground_parts) of one stiffness each; rigid ground has none, and does not give.
+    ///
+    /// Beside supports that only push and are sunk into the ground each of these leaves half a spring to each of its neighbours, so that it
+    /// stands on its node alone.
+    pub(crate) fn give(&self, ground: &[([f64; 2], f64)], node: usize, is_sunk: impl Fn(usize) -> bool) -> f64 {
+        let side = |inside: bool, beside: usize| match inside {
+            true if is_sunk(beside) => 1.0,
+            true => 0.5,
+            false => 0.0,
+        };
+        let [left, right] = [side(0 < node, node.wrapping_sub(1)), side(node < self.intervals, node + 1)];
+        let spring = match *ground {
+            [] => return 0.0,
+            [(_, k)] => k * ((left + right) * self.spacing()),
+            _ => {
+                let [from, to] = [-left, right].map(|way| self.place(node) + way * self.spacing());
+                let over = |(part, k): &([f64; 2], f64)| k * (part[1].min(to) - part[0].max(from)).max(0.0);
+                ground.iter().map(over).sum()
+            }
+        };
+        1.0 / spring
     }
 
     /// The same of what is below a node of a scene: a support that only pushes does not give.
@@ -86,7 +94,11 @@ impl Grid {
             return 0.0;
         }
         let is_sunk = |node: usize| at(node).is_some_and(|bearing| scene.stands_in_ground(bearing));
-        self.give_beside(scene.ground_stiffness(), node, is_sunk)
+        match scene.ground_stiffness() {
+            None => 0.0,
+            Some(k) if scene.ground_steps().is_empty() => self.give(&[([0.0, self.length], k)], node, is_sunk),
+            Some(_) => self.give(&scene.ground_parts().collect::<Vec<_>>(), node, is_sunk),
+        }
     }
 
     /// `x_i`, rounded once more than the product `l i`, so that a node at a round place hits it; the last one is the end of the beam.
@@ -115,25 +127,35 @@ impl Grid {
         ((share * self.intervals as f64).round() as usize).min(self.intervals)
     }
 
-    /// The least number of equal intervals, of at most 10 000, with a node at every support of `scene`.
+    /// The least number of equal intervals, of at most 10 000, with a node at every support, joint and change of the bending stiffness
+    /// of `scene`.
     #[must_use]
     pub fn least_fitting(scene: &Scene) -> Option<usize> {
-        let (length, supports) = (scene.beam().length(), scene.beam().all_supports());
+        let beam = scene.beam();
+        let mut places: Vec<f64> = beam.all_supports().iter().map(|support| support.at).collect();
+        places.extend(beam.joints().iter().map(|joint| joint.at).chain(beam.changes()));
+        places.sort_by(f64::total_cmp);
+        places.dedup_by(|next, kept| is_same_place(*next, *kept, beam.length()));
+        Self::least_with(beam.length(), &places)
+    }
+
+    /// The least number of equal intervals with a node of its own at each of some places, from left to right.
+    fn least_with(length: f64, places: &[f64]) -> Option<usize> {
         let fits = |intervals: usize| {
             let grid = Self { length, intervals };
-            let nodes: Vec<_> = supports.iter().map(|support| grid.node_at(support.at)).collect();
+            let nodes: Vec<_> = places.iter().map(|at| grid.node_at(*at)).collect();
             !nodes.contains(&None) && nodes.windows(2).all(|pair| pair[0] < pair[1])
         };
         (2..=MOST_FITTING).find(|&intervals| fits(intervals))
     }
 
     /// Every grid with a node at each support of `scene` has a multiple of so many intervals; 1 if there are supports at the ends
-    /// only.
+    /// only. Coarser grids than that of an answer have no node at joints and changes of the bending stiffness.
     pub(crate) fn step(scene: &Scene) -> Option<usize> {
         let beam = scene.beam();
-        let mut supports = beam.supports().iter().chain(beam.bearings());
-        let inside = supports.any(|support| 0.0 < support.at && support.at < beam.length());
-        if inside { Self::least_fitting(scene) } else { Some(1) }
+        let supports: Vec<f64> = beam.all_supports().iter().map(|support| support.at).collect();
+        let inside = supports.iter().any(|at| 0.0 < *at && *at < beam.length());
+        if inside { Self::least_with(beam.length(), &supports) } else { Some(1) }
     }
 
     /// `x_i` for `i = first, first + 1, …`, as many as there is room for.
@@ -177,7 +199,8 @@ impl Grid {
     /// moment are kept: `∫ q φ_i dx` with the hat function `φ_i`. For a uniform load `q_i = q₀Δ`, as in (27), and `q₀Δ/2`
     /// at each end.
     #[must_use]
-    pub fn nodal_loads(&self, load: &Load) -> Vec<f64> {
+    pub fn nodal_loads(&self, scene: &Scene) -> Vec<f64> {
+        let load = scene.load();
         let half = 0.5 * load.uniform() * self.spacing();
         let mut forces = vec![2.0 * half; self.intervals + 1];
         forces[0] -= half;
@@ -205,28 +228,41 @@ impl Grid {
             forces[i] += force - to_right;
             forces[i + 1] += to_right;
             if couple != 0.0 {
-                self.add_couple(i, couple * (1.0 - share), &mut forces);
-                self.add_couple(i + 1, couple * share, &mut forces);
+                self.add_couple(scene, i, couple * (1.0 - share), &mut forces);
+                self.add_couple(scene, i + 1, couple * share, &mut forces);
             }
         }
         forces
     }
 
-    /// Adds a couple at a node: it does its work at the slope there, `(v_{i+1} − v_{i−1})/2Δ`, at an end of the beam
-    /// `(−3 v₀ + 4 v₁ − v₂)/2Δ`, both exact but for terms of the order `Δ²`.
-    fn add_couple(&self, node: usize, couple: f64, forces: &mut [f64]) {
+    /// Adds a couple at a node: it does its work at the slope there, at an end of the beam `(−3 v₀ + 4 v₁ − v₂)/2Δ`, and inside
+    ///
+    /// ```text
+    /// (2 e₋ (v_{i+1} − v_i) + 2 e₊ (v_i − v_{i−1})) / (e₋ + e₊) / 2Δ        e = 1/EI on both sides
+    /// ```
+    ///
+    /// `(v_{i+1} − v_{i−1})/2Δ` of a beam that does not change there. Both are exact but for terms of the order `Δ²`: one bending moment
+    /// bends both sides, so that the errors of the two chords cancel.
+    fn add_couple(&self, scene: &Scene, node: usize, couple: f64, forces: &mut [f64]) {
         let unit = couple / (2.0 * self.spacing());
-        let shares: &[(usize, f64)] = match node {
-            0 => &[(0, -3.0), (1, 4.0), (2, -1.0)],
-            last if last == self.intervals => &[(last, 3.0), (last - 1, -4.0), (last - 2, 1.0)],
-            inside => &[(inside - 1, -1.0), (inside + 1, 1.0)],
-        };
-        shares.iter().for_each(|&(i, share)| forces[i] += share * unit);
+        if node == 0 || node == self.intervals {
+            let [one, two] = if node == 0 { [1, 2] } else { [node - 1, node - 2] };
+            let unit = if node == 0 { unit } else { -unit };
+            [(node, -3.0), (one, 4.0), (two, -1.0)].iter().for_each(|&(i, share)| forces[i] += share * unit);
+            return;
+        }
+        let stiffness = |i: usize| scene.beam().stiffness_between(self.place(i), self.place(i + 1));
+        let [left, right] = [node - 1, node].map(stiffness);
+        let before = 2.0 * left / (left + right);
+        let behind = 2.0 - before;
+        forces[node - 1] -= before * unit;
+        forces[node] += (before - behind) * unit;
+        forces[node + 1] += behind * unit;
     }
 
     /// The same at the nodes `first, first + 1, …`, as many as there is room for; zero behind the last one.
-    pub fn loads(&self, load: &Load, first: usize, forces: &mut [f64]) {
-        let all = self.nodal_loads(load);
+    pub fn loads(&self, scene: &Scene, first: usize, forces: &mut [f64]) {
+        let all = self.nodal_loads(scene);
         forces.iter_mut().enumerate().for_each(|(k, force)| *force = all.get(first + k).copied().unwrap_or(0.0));
     }
 

@@ -26,6 +26,30 @@ impl Scene {
         Err(SceneError::NotKnown { what, feature })
     }
 
+    /// Whether an elastic foundation goes from end to end of the beam.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::NotKnown`] if not, naming what asked for it.
+    pub(crate) fn is_grounded_throughout(&self, what: &'static str) -> Result<(), SceneError> {
+        let is_open = self.ground_parts().any(|(_, k)| k <= 0.0);
+        if is_open { Err(SceneError::NotKnown { what, feature: "a gap in the foundation" }) } else { Ok(()) }
+    }
+
+    /// Whether all moments of the beam follow from forces that are given: there is no hinge, and on ground that gives there are neither steps
+    /// of the bending stiffness nor joints.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::NotKnown`] if not, naming what asked for it.
+    pub fn bends_under_forces(&self, what: &'static str) -> Result<(), SceneError> {
+        if self.ground_stiffness().is_some() {
+            return self.is_uniform(what);
+        }
+        let hinge = self.beam.joints().iter().find(|joint| joint.stiffness.is_none());
+        hinge.map_or(Ok(()), |_| Err(SceneError::NotKnown { what, feature: "hinges" }))
+    }
+
     /// Whether no support of the beam gives.
     ///
     /// # Errors

@@ -11,6 +11,7 @@ mod far_depths;
 pub mod file;
 mod foundation;
 mod grid;
+mod ground;
 mod known;
 mod load;
 mod number;
@@ -24,6 +25,7 @@ mod written;
 
 use std::sync::Arc;
 
+use self::ground::GroundStiffness;
 pub use balance::{Balance, Resultant, Unheld};
 pub use beam::Beam;
 pub use error::SceneError;
@@ -48,8 +50,8 @@ pub struct Scene {
     load: Load,
     /// Shared by all that is made of the scene: a survey may have millions of points.
     foundation: Option<Arc<Foundation>>,
-    /// `k` of ground that gives \[force / length²\]; rigid without.
-    stiffness: Option<f64>,
+    /// Of ground that gives; rigid without.
+    stiffness: Option<GroundStiffness>,
     units: Units,
 }
 
@@ -84,31 +86,23 @@ impl Scene {
         foundation: Option<Foundation>,
         stiffness: Option<f64>,
     ) -> Result<Self, SceneError> {
+        Self::built(beam, load, foundation, stiffness.map(GroundStiffness::one).transpose()?)
+    }
+
+    fn built(
+        beam: Beam,
+        load: Load,
+        foundation: Option<Foundation>,
+        stiffness: Option<GroundStiffness>,
+    ) -> Result<Self, SceneError> {
         let load = load.checked(&beam)?;
         load.check_at_joints(&beam)?;
-        let stiffness = stiffness.map(|k| error::positive(Quantity::GroundStiffness, k)).transpose()?;
         let checked = |foundation: Foundation| match stiffness {
             None => foundation.checked(&beam),
             Some(_) => foundation.defined_for(&beam),
         };
         let foundation = foundation.map(checked).transpose()?.map(Arc::new);
         Ok(Self { title: String::new(), beam, load, foundation, stiffness, units: Units::default() })
-    }
-
-    /// The same scene on ground that gives: under a penetration `v − g` it presses with `k (v − g)` and cannot pull, a unilateral
-    /// Winkler foundation.
-    ///
-    /// # Errors
-    ///
-    /// [`SceneError::NotPositive`] unless `k` is positive and finite.
-    pub fn on_springs(&self, stiffness: f64) -> Result<Self, SceneError> {
-        Ok(Self { stiffness: Some(error::positive(Quantity::GroundStiffness, stiffness)?), ..self.clone() })
-    }
-
-    /// `k` of ground that gives \[force / length²\]; none where it is rigid, or where there is no foundation.
-    #[must_use]
-    pub fn ground_stiffness(&self) -> Option<f64> {
-        self.stiffness.filter(|_| self.foundation.is_some())
     }
 
     /// The same scene on supports that hold in the places of those that only push and are `pressed`, without the others.
@@ -244,11 +238,12 @@ impl Scene {
         let load = self.load.scaled(scale.length, scale.force);
         let foundation = self.foundation.as_ref().map(|f| f.scaled(scale.length, scale.depth));
         // `F/L U = E/L⁴` is its unit, divided in an order that keeps every step in range.
-        let springs = self.stiffness.map(|k| k * scale.length * scale.length / stiffness * scale.length * scale.length);
-        if let Some(value) = springs.filter(|k| !k.is_normal()) {
+        let spring = |k: f64| k * scale.length * scale.length / stiffness * scale.length * scale.length;
+        let springs = self.stiffness.as_ref().map(|given| given.scaled(scale.length, spring));
+        if let Some(value) = springs.as_ref().map(|springs| springs.greatest).filter(|k| !k.is_normal()) {
             let (quantity, what) = (Quantity::GroundStiffness, "the stiffness of the ground in these units");
             return Err(SceneError::Overflow { quantity, what, value });
         }
-        Self::above(beam, load, foundation, springs)
+        Self::built(beam, load, foundation, springs)
     }
 }

@@ -1,5 +1,6 @@
 //! A number of a scene by its path, as a scene file would write it: what it is, and the same scene with another value.
 
+use super::ground::GroundStiffness;
 use super::quantity::{Profile, ProfileKey, Quantity};
 use super::{Beam, CoupleLoad, Foundation, Joint, LinearLoad, Load, PointLoad, Scene, SceneError, Support};
 
@@ -93,7 +94,12 @@ impl Scene {
             None => beam,
         };
         let load = Load::new(&beam, uniform, linear, point)?.with_couples(&beam, couple)?;
-        Ok(Self::above(beam, load, foundation, springs)?.labelled(self.title.clone(), self.units.clone()))
+        let springs = match springs {
+            Some(GroundStiffness { greatest, steps }) if steps.is_empty() => Some(GroundStiffness::one(greatest)?),
+            Some(GroundStiffness { steps, .. }) => Some(GroundStiffness::in_steps(steps, beam.length())?),
+            None => None,
+        };
+        Ok(Self::built(beam, load, foundation, springs)?.labelled(self.title.clone(), self.units.clone()))
     }
 
     /// The same scene with all of its ground moved downwards \[length\].
@@ -110,8 +116,7 @@ impl Scene {
             Some(Foundation::Cosine { mean, .. }) => *mean += down,
             Some(Foundation::Polyline { points }) => points.iter_mut().for_each(|point| point[1] += down),
         }
-        let moved = Self::above(self.beam.clone(), self.load.clone(), foundation, self.stiffness)?;
-        Ok(moved.labelled(self.title.clone(), self.units.clone()))
+        self.above_other(foundation)
     }
 
     /// The numbers that can be varied.
@@ -144,7 +149,9 @@ impl Scene {
         let couple = self.load.couple().len();
         groups.extend([Quantity::CoupleAt, Quantity::CoupleMoment].map(|of| Group::each(of, couple)));
         groups.extend(self.foundation.iter().flat_map(|foundation| groups_of(Profile::Foundation, foundation)));
-        groups.extend(self.ground_stiffness().map(|_| Group::one(Quantity::GroundStiffness)));
+        let steps = self.ground_steps().len();
+        groups.extend(self.ground_stiffness().filter(|_| steps == 0).map(|_| Group::one(Quantity::GroundStiffness)));
+        groups.extend([Quantity::GroundStepAt, Quantity::GroundStepStiffness].map(|of| Group::each(of, steps)));
         groups
     }
 }
@@ -257,7 +264,7 @@ struct Numbers {
     point: Vec<PointLoad>,
     couple: Vec<CoupleLoad>,
     foundation: Option<Foundation>,
-    springs: Option<f64>,
+    springs: Option<GroundStiffness>,
 }
 
 impl Numbers {
@@ -274,7 +281,7 @@ impl Numbers {
             point: load.point().to_vec(),
             couple: load.couple().to_vec(),
             foundation: scene.foundation().cloned(),
-            springs: scene.stiffness,
+            springs: scene.stiffness.clone(),
         }
     }
 
@@ -286,7 +293,11 @@ impl Numbers {
             Quantity::StepStiffness(i) => self.steps.get_mut(i).map(|step| &mut step[1]),
             Quantity::JointAt(i) => self.joints.get_mut(i).map(|joint| &mut joint.at),
             Quantity::JointStiffness(i) => self.joints.get_mut(i)?.stiffness.as_mut(),
-            Quantity::GroundStiffness => self.springs.as_mut(),
+            Quantity::GroundStiffness => {
+                self.springs.as_mut().filter(|k| k.steps.is_empty()).map(|springs| &mut springs.greatest)
+            }
+            Quantity::GroundStepAt(i) => Some(&mut self.springs.as_mut()?.steps.get_mut(i)?[0]),
+            Quantity::GroundStepStiffness(i) => Some(&mut self.springs.as_mut()?.steps.get_mut(i)?[1]),
             Quantity::Uniform => Some(&mut self.uniform),
             Quantity::LinearFrom(i) => self.linear.get_mut(i).map(|load| &mut load.from),
             Quantity::LinearTo(i) => self.linear.get_mut(i).map(|load| &mut load.to),

@@ -33,6 +33,10 @@ pub enum Quantity {
     /// A number of a profile.
     Profile(Profile, ProfileKey),
     GroundStiffness,
+    /// Where a step of the stiffness of the ground begins.
+    GroundStepAt(usize),
+    /// The stiffness of the ground from there on.
+    GroundStepStiffness(usize),
     /// All loads together.
     TotalLoad,
 }
@@ -112,7 +116,7 @@ impl Quantity {
     pub fn kind(self) -> Option<Kind> {
         Some(match self {
             Self::BendingStiffness | Self::StepStiffness(_) => Kind::BendingStiffness,
-            Self::GroundStiffness => Kind::GroundStiffness,
+            Self::GroundStiffness | Self::GroundStepStiffness(_) => Kind::GroundStiffness,
             Self::Uniform | Self::LinearStart(_) | Self::LinearEnd(_) | Self::SupportStiffness(_) => Kind::Intensity,
             Self::PointForce(_) => Kind::Force,
             Self::CoupleMoment(_) | Self::JointStiffness(_) | Self::SupportTurningStiffness(_) => Kind::Moment,
@@ -121,6 +125,7 @@ impl Quantity {
             Self::Supports | Self::TotalLoad | Self::Profile(_, ProfileKey::Whole) => return None,
             Self::Length
             | Self::StepAt(_)
+            | Self::GroundStepAt(_)
             | Self::JointAt(_)
             | Self::LinearFrom(_)
             | Self::LinearTo(_)
@@ -172,6 +177,8 @@ impl fmt::Display for Quantity {
                 }
             }
             Self::GroundStiffness => write!(f, "foundation.stiffness"),
+            Self::GroundStepAt(i) => write!(f, "foundation.stiffness.steps[{i}][0]"),
+            Self::GroundStepStiffness(i) => write!(f, "foundation.stiffness.steps[{i}][1]"),
             Self::TotalLoad => write!(f, "load"),
         }
     }

@@ -20,8 +20,34 @@ pub struct Joint {
 }
 
 /// A place that is not where it could be.
-fn misplaced(quantity: Quantity, value: f64, expected: &'static str) -> Result<Beam, SceneError> {
+fn misplaced<T>(quantity: Quantity, value: f64, expected: &'static str) -> Result<T, SceneError> {
     Err(SceneError::Misplaced { quantity, value, expected })
+}
+
+/// Steps begin at 0, go forwards and begin before the end of the beam.
+pub(super) fn check_places(
+    steps: &[[f64; 2]],
+    length: f64,
+    of: Quantity,
+    place: fn(usize) -> Quantity,
+) -> Result<(), SceneError> {
+    if steps.is_empty() {
+        return Err(SceneError::NoSteps { of });
+    }
+    let mut before = None;
+    for (i, [at, _]) in steps.iter().copied().enumerate() {
+        let quantity = place(i);
+        on_beam(quantity, at, length)?;
+        match before {
+            None if at != 0.0 => return misplaced(quantity, at, "be 0, where the beam begins"),
+            Some(before) if at <= before => {
+                return misplaced(quantity, at, "be greater than the place of the step before it");
+            }
+            _ if length <= at => return misplaced(quantity, at, "be less than the length of the beam"),
+            _ => before = Some(at),
+        }
+    }
+    Ok(())
 }
 
 impl Load {
@@ -44,23 +70,10 @@ impl Beam {
     ///
     /// No steps, steps that do not begin at 0, that go back or begin at the end of the beam, and a stiffness that is not positive.
     pub fn with_steps(self, steps: Vec<[f64; 2]>) -> Result<Self, SceneError> {
-        if steps.is_empty() {
-            return Err(SceneError::NoSteps);
-        }
-        let mut before = None;
-        for (i, [at, stiffness]) in steps.iter().copied().enumerate() {
-            let quantity = Quantity::StepAt(i);
-            on_beam(quantity, at, self.length())?;
-            match before {
-                None if at != 0.0 => return misplaced(quantity, at, "be 0, where the beam begins"),
-                Some(before) if at <= before => {
-                    return misplaced(quantity, at, "be greater than the place of the step before it");
-                }
-                _ if self.length() <= at => return misplaced(quantity, at, "be less than the length of the beam"),
-                _ => before = Some(at),
-            }
-            if !(0.0 < stiffness && stiffness.is_finite()) {
-                return Err(SceneError::StepNotPositive { quantity: Quantity::StepStiffness(i), value: stiffness });
+        check_places(&steps, self.length(), Quantity::BendingStiffness, Quantity::StepAt)?;
+        for (i, &[_, value]) in steps.iter().enumerate() {
+            if !(0.0 < value && value.is_finite()) {
+                return Err(SceneError::StepNotPositive { quantity: Quantity::StepStiffness(i), value });
             }
         }
         let least = steps.iter().fold(f64::INFINITY, |least, step| least.min(step[1]));

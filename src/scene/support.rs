@@ -243,7 +243,7 @@ impl Scene {
 
     /// Whether a support stands in an elastic foundation, below its surface.
     pub(crate) fn stands_in_ground(&self, support: &Support) -> bool {
-        self.depth(support.at) < support.level
+        self.depth(support.at) < support.level && self.is_grounded_beside(support.at) != [false; 2]
     }
 
     fn held_by(&self, support: &Support) -> Held {

@@ -1,5 +1,7 @@
 //! Numbers and places as messages have them.
 
+use super::grid::MOST_FITTING;
+use super::quantity::Quantity;
 use crate::text::Results;
 
 /// A number as a message has it: as it is written in the file, or with six digits if it was computed.
@@ -42,7 +44,7 @@ pub(super) fn carriers(grounded: bool, ends: [f64; 2]) -> String {
 /// Over what a beam turns whose loads are at a place outside these: its end on ground, and else the outermost support.
 pub(super) fn fulcrum(grounded: bool, ends: [f64; 2], at: f64) -> String {
     let (side, end) = if at < ends[0] { ("left", ends[0]) } else { ("right", ends[1]) };
-    if grounded { format!("its {side} end") } else { format!("its support at x = {}", shown(end)) }
+    if grounded { format!("the {side} end of the ground") } else { format!("its support at x = {}", shown(end)) }
 }
 
 /// To four significant digits.
@@ -54,4 +56,22 @@ pub(super) fn rounded(value: f64) -> String {
 pub(super) fn beside(at: f64, [from, to]: [f64; 2]) -> String {
     let rounded: f64 = format!("{at:.3e}").parse().unwrap_or(at);
     if (from..=to).contains(&rounded) { in_full(at) } else { shown(rounded) }
+}
+
+/// What stands at a place that a grid needs a node for.
+pub(super) fn placed(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::JointAt(_) => "the joint",
+        Quantity::StepAt(_) => "the change of the bending stiffness",
+        _ => "the support",
+    }
+}
+
+/// What to do about a place between nodes.
+pub(super) fn fitting(fits: Option<usize>) -> String {
+    const PLACES: &str = "a node at every support, joint and change of the bending stiffness";
+    match fits {
+        Some(least) => format!("the least number of intervals with {PLACES} is {least} (--intervals {least})"),
+        None => format!("no number of intervals up to {MOST_FITTING} has {PLACES}"),
+    }
 }

@@ -15,7 +15,7 @@ const PARTS: usize = 200;
 pub struct Envelope {
     /// Places along the beam \[length\].
     pub x: Vec<f64>,
-    /// The largest moment there over all values \[force · length\].
+    /// The largest moment there over all values, of both sides of a place \[force · length\].
     pub moment_max: Vec<f64>,
     /// The least.
     pub moment_min: Vec<f64>,
@@ -80,6 +80,7 @@ impl<'a> Gathered<'a> {
         let place = |i: usize| beam.length() * (i as f64 / PARTS as f64);
         let mut x: Vec<f64> =
             (0..=PARTS).map(place).chain(beam.all_supports().iter().map(|support| support.at)).collect();
+        x.extend(sweep.scene.load().couple().iter().map(|couple| couple.at));
         x.sort_by(f64::total_cmp);
         x.dedup();
         let none = vec![[f64::INFINITY, f64::NEG_INFINITY]; x.len()];
@@ -91,8 +92,10 @@ impl<'a> Gathered<'a> {
         let (value, exact) = (step.value, &step.exact);
         for ((x, moment), shear) in self.x.iter().zip(&mut self.moment).zip(&mut self.shear) {
             let [least, most] = *moment;
-            let of = exact.moment(*x);
-            *moment = [least.min(of), most.max(of)];
+            // Beyond an end there is no beam.
+            let sides = exact.moments(*x);
+            let left = if 0.0 < *x && *x < self.sweep.scene.beam().length() { sides[0] } else { sides[1] };
+            *moment = [least.min(left).min(sides[1]), most.max(left).max(sides[1])];
             for of in exact.shear(*x) {
                 *shear = [shear[0].min(of), shear[1].max(of)];
             }

@@ -99,8 +99,11 @@ impl Exact {
         let mut all = Vec::new();
         all.extend(scene.foundation().map(|_| asked(By::Depth, Change::Ground, scale.depth, depth)));
         let stiffness = scene.beam().bending_stiffness();
-        all.push(number(Quantity::BendingStiffness, Change::Unload, stiffness, stiffness));
-        all.extend(scene.ground_stiffness().map(|k| number(Quantity::GroundStiffness, Change::Stiffen, k, k)));
+        // Of steps each is a number of its own.
+        let is_uniform = scene.is_uniform("").is_ok();
+        all.extend(is_uniform.then(|| number(Quantity::BendingStiffness, Change::Unload, stiffness, stiffness)));
+        let ground = scene.ground_stiffness().filter(|_| scene.ground_changes().next().is_none());
+        all.extend(ground.map(|k| number(Quantity::GroundStiffness, Change::Stiffen, k, k)));
         let more = 1.0 / self.stiffness;
         all.push(number(Quantity::Uniform, Change::Uniform(more), scale.force / scale.length, force / length));
         for (i, load) in scene.load().point().iter().enumerate() {

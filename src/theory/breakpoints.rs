@@ -1,11 +1,11 @@
 //! A scene cut into cells and breakpoints, [`PiecewiseScene`].
 
 use super::gauss::Gauss;
-use super::piecewise::{AtSupport, Breakpoint, Cell, PiecewiseScene};
+use super::piecewise::{AtSpring, AtSupport, Breakpoint, Cell, PiecewiseScene};
 use super::pull::pulling_stretches;
 use super::shape::Shape;
 use crate::scene::pieces::without_collinear_points;
-use crate::scene::{Beam, Bearing, Concentrated, Foundation, Held, Load, Scene, polynomial};
+use crate::scene::{Bearing, Concentrated, Foundation, Held, Load, Scene, Spring, polynomial};
 
 /// A cosine is cut into cells of at most this angle \[rad\]: 22 terms of its Taylor series are then exact to
 /// `0.8²²/22! < 10⁻²³`, and its fourth derivative to `0.8¹⁸/18! < 10⁻¹⁷`.
@@ -20,6 +20,11 @@ const BEAM_TERMS: usize = 6;
 impl PiecewiseScene {
     /// Profile, supports and load of a dimensionless scene.
     pub(super) fn new(scene: &Scene) -> Self {
+        Self::with(scene, |_| true)
+    }
+
+    /// The same with those of the supports that give of which `acts` is true.
+    pub(super) fn with(scene: &Scene, acts: impl Fn(usize) -> bool) -> Self {
         const NONE: Foundation = Foundation::Flat { depth: 0.0 };
         let foundation = scene.foundation().unwrap_or(&NONE);
         let own = scene.foundation().and(scene.beam().shape());
@@ -33,16 +38,19 @@ impl PiecewiseScene {
         break_at(&alone, length, &mut shapes, &mut breaks);
         let ends: Vec<f64> = breaks.iter().map(|b| b.x).collect();
         let load = scene.load();
-        let places = places(&[Some(foundation), own], load, scene.beam(), &ends);
-        let cells = cells(load, scene.beam(), &places, &ends);
+        let places = places(&[Some(foundation), own], load, scene, &ends);
+        let cells = cells(load, scene, &places, &ends);
         let mut breakpoints = breakpoints(load, stiffness, &places, &cells, &shapes, &breaks);
         for joint in scene.beam().joints() {
             let flexibility = joint.stiffness.map_or(f64::INFINITY, |k| stiffness / k);
             breakpoints[places.partition_point(|&x| x < joint.at)].joint = flexibility;
         }
-        let divisions: Vec<usize> = (1..cells.len())
-            .filter(|&i| breakpoints[i].joint != 0.0 || cells[i - 1].stiffness.total_cmp(&cells[i].stiffness).is_ne())
-            .collect();
+        let springs: Vec<AtSpring> =
+            scene.springs().enumerate().map(|(i, spring)| at_spring(&places, stiffness, &spring, acts(i))).collect();
+        let springy = |i: usize| springs.iter().any(|spring| spring.acts && spring.breakpoint == i);
+        let changes = |i: usize| cells[i - 1].stiffness.total_cmp(&cells[i].stiffness).is_ne();
+        let divisions: Vec<usize> =
+            (1..cells.len()).filter(|&i| breakpoints[i].joint != 0.0 || changes(i) || springy(i)).collect();
         let at: Vec<usize> = bearings.iter().map(|bearing| places.partition_point(|&x| x < bearing.at)).collect();
         at.iter().zip(&bearings).for_each(|(&i, bearing)| breakpoints[i].depth = bearing.gap);
         let degree = shapes.iter().map(Shape::degree).try_fold(0, |most, d| d.map(|d| d.max(most)));
@@ -70,7 +78,15 @@ impl PiecewiseScene {
             founded: scene.foundation().is_some(),
             bearings: at,
             free_ends: [0.0, length].map(|end| scene.beam().supports().iter().all(|s| s.at < end || end < s.at)),
-            supports: scene.held().iter().map(|held| at_support(foundation, own, length, &places, held)).collect(),
+            supports: scene
+                .held()
+                .iter()
+                .map(|held| AtSupport {
+                    turning: held.turning.map(|[k, slope]| [k / stiffness, slope]),
+                    ..at_support(foundation, own, length, &places, held)
+                })
+                .collect(),
+            springs,
             pulling: Vec::new(),
         };
         given.pulling = pulling_stretches(&given);
@@ -104,16 +120,31 @@ fn at_support(
         level: held.deflection,
         slope: held.slope,
         built_in: held.slope.is_some(),
+        turning: None,
         clearance: [f64::INFINITY; 2],
         tangent: held.tangent,
         size: size(foundation) + own.map_or(0.0, size),
     }
 }
 
+/// A support that gives, over this stiffness of the beam.
+fn at_spring(places: &[f64], stiffness: f64, spring: &Spring, acts: bool) -> AtSpring {
+    AtSpring {
+        breakpoint: places.partition_point(|&x| x < spring.at),
+        stiffness: spring.stiffness / stiffness,
+        level: spring.deflection,
+        turning: spring.turning.map(|[k, slope]| [k / stiffness, slope]),
+        pushes_only: spring.pushes_only,
+        acts,
+    }
+}
+
 /// Breakpoints of profile, supports and load from end to end; the smooth pieces of the profile end at `ends`.
-fn places(profiles: &[Option<&Foundation>], load: &Load, beam: &Beam, ends: &[f64]) -> Vec<f64> {
-    let mut places = ends.to_vec();
-    places.extend(beam.supports().iter().chain(beam.bearings()).map(|support| support.at));
+fn places(profiles: &[Option<&Foundation>], load: &Load, scene: &Scene, ends: &[f64]) -> Vec<f64> {
+    let (mut places, beam) = (ends.to_vec(), scene.beam());
+    places.extend(scene.ground_changes());
+    let supports = beam.supports().iter().chain(beam.bearings()).chain(beam.springs());
+    places.extend(supports.map(|support| support.at));
     places.extend(load.places(beam.length()));
     places.extend(beam.changes().chain(beam.joints().iter().map(|joint| joint.at)));
     places.extend([0.0, beam.length()]);
@@ -152,7 +183,8 @@ fn break_at(places: &[f64], length: f64, shapes: &mut Vec<Shape>, breaks: &mut V
 }
 
 /// What is between the breakpoints.
-fn cells(load: &Load, beam: &Beam, places: &[f64], ends: &[f64]) -> Vec<Cell> {
+fn cells(load: &Load, scene: &Scene, places: &[f64], ends: &[f64]) -> Vec<Cell> {
+    let beam = scene.beam();
     let (length, least) = (beam.length(), beam.bending_stiffness());
     let cell = |w: &[f64]| {
         let (lo, hi) = (w[0], w[1]);
@@ -163,7 +195,8 @@ fn cells(load: &Load, beam: &Beam, places: &[f64], ends: &[f64]) -> Vec<Cell> {
             slope += (q.end - q.start) / (q.to - q.from);
         }
         let stiffness = beam.stiffness_between(lo, hi) / least;
-        Cell { lo, hi, shape, load: at_lo / least, load_slope: slope / least, stiffness }
+        let ground = scene.ground_stiffness().map_or(1.0, |greatest| scene.ground_stiffness_beside(lo)[1] / greatest);
+        Cell { lo, hi, shape, load: at_lo / least, load_slope: slope / least, stiffness, ground }
     };
     places.windows(2).map(cell).collect()
 }

@@ -13,6 +13,8 @@
 //! shares the force at a lift-off point between samples and its contacts have holes. A link far from contact is a beam
 //! (`Δ/3` and `Δ/6`, `ρ` the end rotations under its load), which is exact however long it is.
 //!
+//! A spring presses with `k (v − d) = k (s₀ − s)`, where `s₀` is the clearance without force.
+//!
 //! Where the beam is stiffer a link bends less, and a joint bends besides: its flexibility is added to `W`.
 //!
 //! At a support the clearance is given instead of the force, and at an end of the beam that is not built in the moment is zero. Both
@@ -58,6 +60,10 @@ pub(super) struct ChainSample {
     pub(super) flexibility: f64,
     /// The flexibility of a joint at the sample.
     pub(super) joint: f64,
+    /// The stiffness of a spring at the sample, and the clearance without force.
+    pub(super) spring: [f64; 2],
+    /// The stiffness of a spring against turning at an end of the chain.
+    pub(super) turning: f64,
 }
 
 /// Contact forces of the chain, and which samples touch.
@@ -109,6 +115,8 @@ struct Row {
     m: f64,
     /// Residuals of both linear equations.
     rest: [f64; 2],
+    /// The stiffness of a spring, and the clearance without force.
+    spring: [f64; 2],
     /// True at a support, where `s` is given and `p` is not used.
     held: bool,
     /// True where nothing touches, and `p` stays zero.
@@ -131,7 +139,7 @@ impl Row {
 
     /// `Θ` of the row: what a support holds is fixed.
     fn ratio(&self, free: f64) -> f64 {
-        if self.held { PENALTY } else { free }
+        if self.held { PENALTY } else { free + self.spring[0] }
     }
 
     /// Goes a part of its step, and says whether it touches.
@@ -256,12 +264,17 @@ impl Chain<'_> {
         };
         let share = |(_, bends, beam): (f64, f64, bool)| if beam { bends / 3.0 } else { 0.5 * bends };
         let row = |i: usize| {
-            let left = if 0 < i { share(link(i - 1)) } else { PENALTY * f64::from(!self.built_in[0]) };
-            let ChainSample { bend, load, held, open, joint, .. } = self.samples[i];
+            let ChainSample { bend, load, held, open, joint, spring, turning, .. } = self.samples[i];
+            let free = |built_in: bool| match built_in {
+                true => 0.0,
+                false if 0.0 < turning => 1.0 / turning,
+                false => PENALTY,
+            };
+            let left = if 0 < i { share(link(i - 1)) } else { free(self.built_in[0]) };
             let left = left + joint.min(HINGE);
-            let row = Row { bend, load, open, held: held.is_some(), s: held.unwrap_or(0.0), ..Row::default() };
+            let row = Row { bend, load, open, spring, held: held.is_some(), s: held.unwrap_or(0.0), ..Row::default() };
             if i + 1 == n {
-                let w = left + PENALTY * f64::from(!self.built_in[1]);
+                let w = left + free(self.built_in[1]);
                 return Row { block: Block::new(0.0, w, 0.0), ..row };
             }
             let right = link(i);
@@ -283,7 +296,8 @@ fn residuals(rows: &mut [Row]) -> f64 {
         let Block { c, w, off, .. } = row.block;
         let (right_s, right_m) = (c * (next_s - row.s), c * (next_m - row.m));
         let bends = row.bend - (right_s - left_s) + w * row.m + off * next_m + bent;
-        row.rest = [bends, row.p - row.load - (right_m - left_m)];
+        let sprung = row.spring[0] * (row.spring[1] - row.s);
+        row.rest = [bends, row.p - row.load + sprung - (right_m - left_m)];
         if !row.held {
             worst = worst.max(row.rest[1].abs());
         }

@@ -1,6 +1,7 @@
 //! The check of all conditions, everywhere: no penetration, no pull, and the equations of the list.
 
 use super::forces::{force_beside, forces, moments, pulling_couple, unbalanced};
+use super::giving::{self, SpringState};
 use super::list::{List, Node, Unknown, Zone};
 use super::newton;
 use super::penetration::deepest;
@@ -23,6 +24,8 @@ pub(super) struct Check {
     pub(super) forces: Vec<f64>,
     /// Moments `−e v''` just to the left and just to the right of the nodes.
     pub(super) moments: Vec<[f64; 2]>,
+    /// What the supports that give do.
+    pub(super) springs: Vec<SpringState>,
     /// Conditions that fail, each with the index of its node, or of the node to the right of its stretch.
     pub(super) faults: Vec<(usize, Violation)>,
     /// Worst violation of any condition, scaled; what the tolerance is compared with.
@@ -40,6 +43,11 @@ impl Check {
     /// What deflection and curvature have no digits below, wherever the profile has as many.
     pub(super) fn nothing(&self) -> Nothing {
         Nothing { depth: TOLERANCE * self.scale.deflection, bend: TOLERANCE * self.scale.moment }
+    }
+
+    /// Largest of all forces.
+    pub(super) fn largest_force(&self) -> f64 {
+        self.scale.force
     }
 
     /// The length of the shorter span beside a node.
@@ -133,12 +141,13 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Check {
             judge.measure(jump.abs(), scale.moment, i, Violation::Jump { jump });
         }
     }
-    let force = unbalanced(given, list, &forces);
+    let springs = giving::states(given, list, &spans);
+    let force = springs.iter().fold(unbalanced(given, list, &forces), |rest, spring| rest - spring.force);
     // A load on a support counts here, and no matter how large it is nowhere else.
     let carried = scale.force.max(AT_REST * given.resultant.abs());
     judge.measure(BALANCE * force.abs(), carried, 0, Violation::Unbalanced { force });
     let Judge { faults, worst } = judge;
-    Check { pieces, spans, forces, moments, faults, worst, scale }
+    Check { pieces, spans, forces, moments, springs, faults, worst, scale }
 }
 
 /// The beam by pieces, from end to end.

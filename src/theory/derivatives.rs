@@ -162,8 +162,8 @@ impl Exact {
 
     pub(super) fn sensitivity(&self) -> Option<Sensitivity<'_>> {
         // Spans over which the beam changes answer in another way.
-        let is_uniform = self.given.divisions.is_empty();
-        is_uniform.then(|| Sensitivity::of(&self.given, &self.list, &self.spans, &self.forces))?
+        let is_known = self.given.divisions.is_empty() && self.given.is_firm();
+        is_known.then(|| Sensitivity::of(&self.given, &self.list, &self.spans, &self.forces))?
     }
 
     /// The derivative that is asked for; `holds` says on which sides of the scene the contacts are the same.

@@ -13,61 +13,20 @@
 //! which no digit is lost. A span that is computed in its deflection is the same above ground at zero, with `h = −v` and `n = −e v''`.
 //!
 //! Solved for a unit turn of each end, the chain says how `n` at both ends answers to their slopes.
+//!
+//! A spring is a place where `N` jumps by `k (v − d)`, one against turning where `n` jumps by `k (v' − φ)`. Where springs hold the beam
+//! beyond the outermost node, or without any, the chain ends at the outermost one: beyond it the beam overhangs.
+
+mod chain;
 
 use super::overhang::Overhang;
 use super::piecewise::{Breakpoint, PiecewiseScene};
 use super::span::{Drive, End, EndCondition, FixedEnd, Span, difference, fixed_end};
-use super::way::{Prescribed, Way};
-use crate::qp::blocks::{Block, PENALTY, factor_towards, solve_towards};
+use super::way::Way;
+use chain::{Chain, Part, Place};
 
 /// How the moments at both ends of a span answer to the slopes there.
 pub(super) type Answer = [[f64; 2]; 2];
-
-/// No deflection or moment of a dimensionless beam is larger, the loads and the stiffness of which are of the order of one: a mechanism
-/// that only rounding holds moves by far more.
-const MOST: f64 = 1e12;
-
-/// A part of the span, with what its load does.
-struct Part {
-    ends: [End; 2],
-    stiffness: f64,
-    fixed: FixedEnd,
-}
-
-impl Part {
-    fn length(&self) -> f64 {
-        self.ends[1].x - self.ends[0].x
-    }
-
-    /// `h'` and `N` at both ends, from `h` and `n` there; with or without its load.
-    fn ends(&self, [h, k]: [f64; 2], [n, m]: [f64; 2], loaded: bool) -> [[f64; 2]; 2] {
-        let l = self.length();
-        let (sixth, chord, rise) = (l / self.stiffness / 6.0, (k - h) / l, (m - n) / l);
-        let [own_a, own_b] = if loaded { self.own() } else { [[0.0; 2]; 2] };
-        [
-            [chord - sixth * (2.0 * n + m) + own_a[0], rise + own_a[1]],
-            [chord + sixth * (n + 2.0 * m) + own_b[0], rise + own_b[1]],
-        ]
-    }
-
-    /// The same of its load alone.
-    fn own(&self) -> [[f64; 2]; 2] {
-        let (sixth, [g, k], [r, s]) = (self.length() / self.stiffness / 6.0, self.fixed.moment, self.fixed.shear);
-        [[sixth * (2.0 * g + k), -r], [-sixth * (g + 2.0 * k), s]]
-    }
-}
-
-/// Where two parts meet: by how much `h`, `h'`, `n` and `N` jump, and the flexibility of a joint.
-#[derive(Debug, Clone, Copy, Default)]
-struct Place {
-    step: f64,
-    kink: f64,
-    couple: f64,
-    shear: f64,
-    joint: f64,
-    /// `n` of a beam without moment there.
-    straight: f64,
-}
 
 /// The parts of a span between two ends that is divided at some breakpoints, from left to right; [`None`] if it is a mechanism.
 pub(super) fn between(
@@ -77,6 +36,26 @@ pub(super) fn between(
     joint_at_end: f64,
 ) -> Option<Vec<Span>> {
     let way = Way::of(given, &a, &b);
+    let last = Place::node(joint_at_end, profile_bend(given, &b, &way));
+    let (mut spans, _) = chained(given, [a, b], divisions, &way, ([Place::default(), last], [None; 2]))?;
+    if let Some(first) = spans.first_mut() {
+        way.know(0, &mut first.at_a, &mut first.beam_a);
+    }
+    // Beyond a joint the slope is another one.
+    if let Some(last) = spans.last_mut().filter(|_| joint_at_end == 0.0) {
+        way.know(1, &mut last.at_b, &mut last.beam_b);
+    }
+    Some(spans)
+}
+
+/// The same with what is at both ends, and with `n` and `N` beyond those that springs hold.
+fn chained(
+    given: &PiecewiseScene,
+    [a, b]: [End; 2],
+    divisions: &[usize],
+    way: &Way,
+    ([first, last], beyond): ([Place; 2], [Option<[f64; 2]>; 2]),
+) -> Option<(Vec<Span>, Answer)> {
     let of = if way.in_beam { Drive::Load } else { Drive::Clearance };
     let sign = if way.in_beam { -1.0 } else { 1.0 };
     let within = |breakpoint: usize, cell: usize| End {
@@ -95,16 +74,16 @@ pub(super) fn between(
         Part { ends, stiffness, fixed }
     };
     let parts: Vec<Part> = starts.zip(ends).map(part).collect();
-    let places: Vec<Place> = divisions.iter().map(|&i| place(given, i, way.in_beam)).collect();
-    let chain = Chain { parts: &parts, places: &places, way: &way, joint_at_end, last: profile_bend(given, &b, &way) };
-    let (states, answer) = chain.solve()?;
+    // What is computed is below the straight line through both ends.
+    let line = |x: f64| {
+        let [from, to] = [x - a.x, b.x - x];
+        if from < to { way.levels[0] + way.incline * from } else { way.levels[1] - way.incline * to }
+    };
+    let at = |&i: &usize| Place::at(given, i, way.in_beam, [line(given.breakpoints[i].x), way.incline]);
+    let places: Vec<Place> = std::iter::once(first).chain(divisions.iter().map(at)).chain([last]).collect();
+    let (states, answer) = Chain { parts: &parts, places: &places, way, beyond }.solve()?;
     let span = |(part, at): (&Part, &[[f64; 4]; 2])| {
         let profiles = [0, 1].map(|side| given.derivatives(part.ends[side].cell, part.ends[side].x));
-        // What is computed is below the straight line through both ends.
-        let line = |x: f64| {
-            let [from, to] = [x - a.x, b.x - x];
-            if from < to { way.levels[0] + way.incline * from } else { way.levels[1] - way.incline * to }
-        };
         let both = [0, 1].map(|side| {
             let ([h, h1, n, shear], profile) = (at[side], &profiles[side]);
             if way.in_beam {
@@ -117,15 +96,94 @@ pub(super) fn between(
         let span = Span::of(part.ends, both.map(|both| both.0), both.map(|both| both.1), part.stiffness);
         Span { answer: Some(answer), ..span }
     };
-    let mut spans: Vec<Span> = parts.iter().zip(&states).map(span).collect();
-    if let Some(first) = spans.first_mut() {
-        way.know(0, &mut first.at_a, &mut first.beam_a);
+    Some((parts.iter().zip(&states).map(span).collect(), answer))
+}
+
+/// The beam from a node to the outermost spring beyond it and the overhang behind that one, or without nodes all of it, from left to
+/// right.
+pub(super) fn on_springs(given: &PiecewiseScene, nodes: [Option<End>; 2], joint_at_end: f64) -> Vec<Span> {
+    let ends = [(0.0, 0), (given.length, given.cells.len() - 1)].map(|(x, cell)| End::free(x, cell));
+    let whole = [0, 1].map(|side| nodes[side].unwrap_or(ends[side]));
+    sprung(given, nodes, joint_at_end).unwrap_or_else(|| {
+        // Nothing is known of a mechanism.
+        vec![Span::of(whole, [[0.0; 4]; 2], [[0.0; 4]; 2], 1.0).unknown()]
+    })
+}
+
+fn sprung(given: &PiecewiseScene, nodes: [Option<End>; 2], joint_at_end: f64) -> Option<Vec<Span>> {
+    let outermost = [given.acting().next()?.breakpoint, given.acting().next_back()?.breakpoint];
+    let end = |side: usize| {
+        let (i, cells) = (outermost[side], given.cells_beside(outermost[side]));
+        let is_end = if side == 0 { i == 0 } else { i == given.cells.len() };
+        let hold = if is_end { EndCondition::Free } else { EndCondition::Within };
+        End { hold, ..End::free(given.breakpoints[i].x, cells[1 - side]) }
+    };
+    let ends = [0, 1].map(|side| nodes[side].unwrap_or_else(|| end(side)));
+    let level = nodes.into_iter().flatten().next();
+    let way = Way::afloat(given, ends, level);
+    let overhangs = [true, false].map(|left| Overhang::of(given, ends[usize::from(!left)].x, left));
+    let hangs = [0, 1].map(|side| nodes[side].is_none());
+    // Beyond a hinge nothing takes a moment.
+    let is_hinged = |side: usize| hangs[side] && given.breakpoints[outermost[side]].joint.is_infinite();
+    if is_hinged(0) || is_hinged(1) {
+        return None;
     }
-    // Beyond a joint the slope is another one.
-    if let Some(last) = spans.last_mut().filter(|_| joint_at_end == 0.0) {
-        way.know(1, &mut last.at_b, &mut last.beam_b);
+    let (mut spans, answer) = if ends[0].x < ends[1].x {
+        let beyond = [0, 1].map(|side| {
+            let Overhang { force, moment, .. } = overhangs[side];
+            hangs[side].then_some([-moment, if side == 0 { -force } else { force }])
+        });
+        let held = [Place::default(), Place::node(joint_at_end, 0.0)];
+        let line = [way.levels[0], 0.0];
+        let places =
+            [0, 1].map(|side| if hangs[side] { Place::at(given, outermost[side], true, line) } else { held[side] });
+        let divisions = given.divisions_between(ends[0].x, ends[1].x);
+        chained(given, ends, divisions, &way, (places, beyond))?
+    } else {
+        (Vec::new(), Answer::default())
+    };
+    // Both sides of the one spring that holds the beam alone, or of the outermost ones.
+    let alone = spans.is_empty().then(|| alone(given, outermost[0], &overhangs)).flatten();
+    let states = [spans.first().map(|span| span.beam_a), spans.last().map(|span| span.beam_b)];
+    for side in (0..2).filter(|&side| hangs[side] && ends[side].hold == EndCondition::Within) {
+        let [level, slope] = states[side].map(|beam| [beam[0], beam[1]]).or(alone)?;
+        let bent = states[side].map_or(0.0, |beam| beam[2]);
+        let Breakpoint { x, joint, couple, .. } = given.breakpoints[outermost[side]];
+        // A joint belongs to what is on its left.
+        let slope = if 0.0 < joint {
+            if side == 0 { slope - joint * (bent - couple) } else { slope + joint * bent }
+        } else {
+            slope
+        };
+        let cell = given.cells_beside(outermost[side])[side];
+        let height = given.derivative(cell, x, 0) - level;
+        let hold = EndCondition::Hinge { height, level, curvature: 0.0 };
+        let mut beyond = overhang(given, End { hold, ..End::free(x, cell) }, slope, side == 0);
+        for span in &mut beyond {
+            for end in [&mut span.a, &mut span.b] {
+                if end.hold.is_hinged() && end.hold != EndCondition::Free {
+                    end.hold = EndCondition::Within;
+                }
+            }
+            span.answer = Some(answer);
+        }
+        if side == 0 {
+            beyond.append(&mut spans);
+            spans = beyond;
+        } else {
+            spans.append(&mut beyond);
+        }
     }
     Some(spans)
+}
+
+/// Deflection and slope at the one spring that holds a beam alone, against turning as well; [`None`] if it does not.
+fn alone(given: &PiecewiseScene, i: usize, [left, right]: &[Overhang; 2]) -> Option<[f64; 2]> {
+    let (spring, at) = (given.spring_at(i)?, &given.breakpoints[i]);
+    let [k, without] = spring.turning?;
+    let force = left.force + right.force + at.force;
+    // `M` jumps by the couple and by `−k (v' − φ)`.
+    Some([spring.level + force / spring.stiffness, without - (left.moment - right.moment + at.couple) / k])
 }
 
 /// The parts of the overhang between a free end of the beam and a node, from left to right: from part to part the beam is known at the
@@ -160,8 +218,9 @@ pub(super) fn overhang(given: &PiecewiseScene, held: End, slope: f64, at_left: b
         let (next, turned) = (level + chord * l, -sign * (chord + far_turn));
         let beam = [[level, slope, bent[0], sign * here.force], [next, turned, bent[1], sign * (beyond.force + force)]];
         let mut at = [difference(&profiles[0], &beam[0]), difference(&profiles[1], &beam[1])];
+        at[0][0] = near.hold.height();
         if near.hold == EndCondition::Resting {
-            (at[0][0], at[0][1]) = (0.0, 0.0);
+            at[0][1] = 0.0;
         }
         let order = if at_left { [1, 0] } else { [0, 1] };
         let ends = [near, far];
@@ -193,126 +252,6 @@ pub(super) fn overhang(given: &PiecewiseScene, held: End, slope: f64, at_left: b
 /// `e g''` at the right end of a span, which its joint turns by; nothing where the span is computed in its deflection.
 fn profile_bend(given: &PiecewiseScene, end: &End, way: &Way) -> f64 {
     if way.in_beam { 0.0 } else { given.bent(end.cell, end.x, 2) }
-}
-
-/// What happens at a breakpoint inside.
-fn place(given: &PiecewiseScene, i: usize, in_beam: bool) -> Place {
-    let Breakpoint { x, force, couple, step, kink, joint, .. } = given.breakpoints[i];
-    if in_beam {
-        return Place { couple: -couple, shear: -force, joint, ..Place::default() };
-    }
-    let [left, right] = [i - 1, i].map(|cell| given.derivatives(cell, x));
-    // The slope of the beam jumps by `w e v'' = w (e g'' − n)`.
-    let turned = if joint.is_finite() { joint * right[2] } else { 0.0 };
-    let broken = given.breaks_at(i);
-    Place {
-        step: if broken { step } else { 0.0 },
-        kink: if broken { kink } else { 0.0 } - turned,
-        couple: right[2] - left[2] - couple,
-        shear: right[3] - left[3] - force,
-        joint,
-        straight: right[2],
-    }
-}
-
-/// A member of the chain with its right-hand sides.
-#[derive(Default)]
-struct Row {
-    block: Block,
-    theta: f64,
-    right: [f64; 2],
-}
-
-impl AsMut<Block> for Row {
-    fn as_mut(&mut self) -> &mut Block {
-        &mut self.block
-    }
-}
-
-struct Chain<'a> {
-    parts: &'a [Part],
-    places: &'a [Place],
-    way: &'a Way,
-    joint_at_end: f64,
-    last: f64,
-}
-
-impl Chain<'_> {
-    /// `h, h', n, N` at both ends of each part, and the answer.
-    fn solve(&self) -> Option<(Vec<[[f64; 4]; 2]>, Answer)> {
-        let (mut rows, right) = self.rows();
-        // With at most two hinges, of which the link between hangs by nothing else, each side of the last one holds itself.
-        let last_hinge = self.places.iter().rposition(|place| place.joint.is_infinite());
-        let meeting = last_hinge.map_or(self.parts.len(), |place| place + 1);
-        factor_towards(&mut rows, meeting, |row| row.theta);
-        let mut of = |right: &dyn Fn(usize) -> [f64; 2]| {
-            rows.iter_mut().enumerate().for_each(|(i, row)| row.right = right(i));
-            solve_towards(&mut rows, meeting, |row| row.right);
-            let sound = rows.iter().all(|row| row.block.failed().is_none());
-            sound.then(|| rows.iter().map(|row| row.block.step).collect::<Vec<_>>())
-        };
-        let found = of(&|i| right[i])?;
-        // What nothing holds but rounding moves by any amount.
-        if found.iter().flatten().any(|value| MOST < value.abs()) {
-            return None;
-        }
-        let n = self.parts.len();
-        let unit = |end: usize| move |i: usize| [0.0, if i == end { if end == 0 { 1.0 } else { -1.0 } } else { 0.0 }];
-        let turned = [of(&unit(0))?, of(&unit(n))?];
-        let answer = [[turned[0][0][1], turned[1][0][1]], [turned[0][n][1], turned[1][n][1]]];
-        let state = |i: usize| {
-            let Place { step, couple, .. } = if i + 1 < n { self.places[i] } else { Place::default() };
-            let ([h, m], [k, o]) = (found[i], found[i + 1]);
-            let (hs, ns) = ([h, k - step], [m, o - couple]);
-            let [[a1, a3], [b1, b3]] = self.parts[i].ends(hs, ns, true);
-            [[hs[0], a1, ns[0], a3], [hs[1], b1, ns[1], b3]]
-        };
-        Some(((0..n).map(state).collect(), answer))
-    }
-
-    /// The members, and what acts on each; `h` and `n` of a place are those on its right side.
-    fn rows(&self) -> (Vec<Row>, Vec<[f64; 2]>) {
-        let n = self.parts.len();
-        let mut rows: Vec<Row> = (0..=n).map(|_| Row::default()).collect();
-        let mut right = vec![[0.0; 2]; n + 1];
-        for (i, part) in self.parts.iter().enumerate() {
-            let third = part.length() / part.stiffness / 3.0;
-            let Place { step, couple, .. } = if i + 1 < n { self.places[i] } else { Place::default() };
-            let [[turn_a, shear_a], [turn_b, shear_b]] = part.ends([0.0, -step], [0.0, -couple], true);
-            let w = rows[i].block.w + third;
-            rows[i].block = Block::new(1.0 / part.length(), w, 0.5 * third);
-            rows[i + 1].block.w += third;
-            right[i] = [right[i][0] - shear_a, right[i][1] - turn_a];
-            right[i + 1] = [right[i + 1][0] + shear_b, right[i + 1][1] + turn_b];
-        }
-        for (i, place) in self.places.iter().enumerate() {
-            rows[i + 1].block.w += if place.joint.is_finite() { place.joint } else { PENALTY };
-            let [pushed, bend] =
-                [place.shear, if place.joint.is_finite() { place.kink } else { -PENALTY * place.straight }];
-            right[i + 1] = [right[i + 1][0] + pushed, right[i + 1][1] + bend];
-        }
-        for (end, side) in [(0, 0), (n, 1)] {
-            rows[end].theta = PENALTY;
-            right[end][0] = PENALTY * if self.way.in_beam { 0.0 } else { self.way.heights[side] };
-            let sign = if side == 0 { 1.0 } else { -1.0 };
-            let (turned, bent) = if self.way.in_beam { (-1.0, 0.0) } else { (1.0, self.way.incline) };
-            match self.way.held[side] {
-                Prescribed::Slope(slope) => right[end][1] += sign * (turned * slope + bent),
-                Prescribed::Curvature(bent) => {
-                    rows[end].block.w += PENALTY;
-                    right[end][1] = -PENALTY * turned * bent;
-                }
-            }
-        }
-        if self.joint_at_end.is_finite() {
-            rows[n].block.w += self.joint_at_end;
-            right[n][1] -= self.joint_at_end * self.last;
-        } else {
-            rows[n].block.w += PENALTY;
-            right[n][1] = -PENALTY * self.last;
-        }
-        (rows, right)
-    }
 }
 
 /// The parts of a span from left to right: mostly one.

@@ -11,7 +11,7 @@ use super::summary;
 use super::violation::Violation;
 use crate::certificate::{Slope, Stretch};
 use crate::scene::{Balance, Foundation, Scale, Scene};
-use crate::state::{Contact, ContactState, Extremes, Motion, Standing};
+use crate::state::{Contact, ContactState, Motion, Standing};
 
 /// The exact solution of a scene; made by [`super::solve`].
 #[derive(Debug, Clone)]
@@ -98,6 +98,11 @@ impl Exact {
         if solved { exact.with_touches(&nothing) } else { exact }
     }
 
+    /// Which of the supports that give act.
+    pub(super) fn acting(&self) -> Vec<bool> {
+        self.given.springs.iter().map(|spring| spring.acts).collect()
+    }
+
     /// With what the supports leave free: `balance` in the units of the scene, `slopes` dimensionless.
     pub(super) fn balanced(mut self, balance: Balance, slopes: Option<[f64; 2]>) -> Self {
         let unit = self.scale.depth / self.scale.length;
@@ -157,7 +162,8 @@ impl Exact {
         let [left, right] = [false, true].map(|right| {
             if let Some(springs) = &self.springs {
                 let x = x / self.scale.length;
-                return -springs.part(x, right).sunk(x)[0];
+                let part = springs.part(x, right);
+                return if 0.0 < part.ground { -part.sunk(x)[0] } else { f64::INFINITY };
             }
             let (piece, place) = self.piece(x, right);
             // At a break the cell on the same side as the piece.
@@ -168,56 +174,6 @@ impl Exact {
             derivatives(&taylor, place - part.anchor)[0]
         });
         left.min(right) * self.scale.depth
-    }
-
-    /// The greatest and the least clearance from `from` to `to`, each an end of the beam or of a contact; at a step the values of
-    /// both sides count. Zero without a foundation \[length\].
-    #[must_use]
-    pub fn clearance_extremes(&self, from: f64, to: f64) -> Extremes {
-        if !self.given.founded {
-            return Extremes::default();
-        }
-        let Scale { length, depth, .. } = self.scale;
-        if let Some(springs) = &self.springs {
-            return springs.clearance_extremes([from / length, to / length]).in_units(depth, length);
-        }
-        summary::clearance_extremes(&self.given, &self.pieces_between(from, to)).in_units(depth, length)
-    }
-
-    /// The greatest and the least moment from `from` to `to`, each an end of the beam or of a contact \[force · length\].
-    #[must_use]
-    pub fn moment_extremes(&self, from: f64, to: f64) -> Extremes {
-        let Scale { length, .. } = self.scale;
-        let bent = match &self.springs {
-            Some(springs) => springs.bend_extremes([from / length, to / length]),
-            None => summary::bend_extremes(&self.given, &self.pieces_between(from, to)),
-        };
-        bent.in_units(self.stiffness * self.scale.moment(), length)
-    }
-
-    /// The pieces of the beam from `from` to `to`, in the units of the scene; of one that reaches beyond, its cells inside.
-    fn pieces_between(&self, from: f64, to: f64) -> Vec<Piece> {
-        let [from, to] = [from, to].map(|x| x / self.scale.length);
-        let inside = |piece: &Piece| {
-            let middle = 0.5 * (piece.lo + piece.hi);
-            from <= middle && middle <= to
-        };
-        let first = self.pieces.partition_point(|piece| piece.hi < from);
-        let mut pieces = Vec::new();
-        for piece in self.pieces[first..].iter().take_while(|piece| piece.lo <= to) {
-            // Places in the units of the scene are those of pieces but for rounding.
-            let ends = [0, piece.count() - 1].map(|k| piece.part(&self.given, k, k));
-            if ends.iter().all(inside) {
-                pieces.push(*piece);
-                continue;
-            }
-            let start = pieces.len();
-            pieces.extend(piece.parts(&self.given).filter(inside));
-            if !piece.is_from_the_left() {
-                pieces[start..].reverse();
-            }
-        }
-        pieces
     }
 
     /// Contact pressure `p = q − EI u''''` inside a zone, zero outside; without concentrated forces \[force / length\].
@@ -239,7 +195,9 @@ impl Exact {
         let inside = move |x: f64| rigid && self.state.contacts.iter().any(|c| c.from < x && x < c.to);
         self.given
             .forces()
-            .map(|j| (j.x * self.scale.length, j.force * self.stiffness * self.scale.force))
+            .map(|j| (j.x, j.force))
+            .chain(self.given.springs_in_zone(0.0, self.given.length).map(|(x, force)| (x, -force)))
+            .map(|(x, force)| (x * self.scale.length, force * self.stiffness * self.scale.force))
             .filter(move |&(x, _)| inside(x))
     }
 
@@ -356,8 +314,9 @@ impl Exact {
             let loaded = scene.load().concentrated().any(|acts| sits_at(acts.at, x));
             let supported = scene.beam().all_supports().iter().any(|support| sits_at(support.at, x));
             let inside = 0.0 < x && x < length;
+            let stiffened = scene.ground_changes().any(|at| sits_at(at, x));
             let joined = scene.beam().joints().iter().any(|joint| sits_at(joint.at, x));
-            if 0.0 < x && (!inside || jumps || loaded || supported || joined) {
+            if 0.0 < x && (!inside || jumps || loaded || supported || joined || stiffened) {
                 // Pressure is that of the right-hand side; a step to the left is that of the other.
                 let turned = scene.load().couple().iter().any(|load| sits_at(load.at, x));
                 let moment = if supported || turned { bent_left } else { bent_right };
@@ -378,6 +337,7 @@ impl Exact {
         places.extend(self.state.contacts.iter().flat_map(|c| [c.from, c.to]));
         places.extend(scene.load().places(length));
         places.extend(scene.beam().joints().iter().map(|joint| joint.at));
+        places.extend(scene.ground_changes());
         places.extend(scene.beam().all_supports().iter().map(|s| s.at).filter(|&at| 0.0 < at && at < length));
         for profile in scene.foundation().into_iter().chain(scene.beam().shape()) {
             if let Foundation::Polyline { points } = profile {

@@ -74,10 +74,11 @@ pub(super) fn moments(given: &PiecewiseScene, list: &List, spans: &[(usize, Span
     moments
 }
 
-/// `∫ q − e u'''' dx` over the inside of a zone, with the point loads there.
+/// `∫ q − e u'''' dx` over the inside of a zone, with the point loads there, less the springs.
 pub(super) fn zone_force(given: &PiecewiseScene, from: f64, to: f64) -> f64 {
     let (first, last) = (given.cell_from(from), given.cell_to(to));
-    given.load_inside(from, to) + given.bent(first, from, 3) - given.bent(last, to, 3)
+    let loads = given.load_inside(from, to) + given.bent(first, from, 3) - given.bent(last, to, 3);
+    given.springs_in_zone(from, to).fold(loads, |loads, (_, force)| loads - force)
 }
 
 /// What is left of the load when reactions and contact forces are taken off.

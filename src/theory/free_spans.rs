@@ -1,6 +1,9 @@
-//! The stretches of the beam between its contacts.
+//! The stretches of the beam between its contacts, and extremes on a stretch of it.
 
 use super::exact::Exact;
+use super::piece::Piece;
+use super::summary;
+use crate::scene::Scale;
 use crate::state::Extremes;
 
 /// A stretch of the beam without contact: between two contacts, or from one to an end of the beam. Supports that hold the beam may stand
@@ -28,11 +31,68 @@ impl Exact {
         let (mut spans, mut from) = (Vec::new(), 0.0);
         for [start, end] in contacts.into_iter().chain([[length; 2]]) {
             if from < start {
-                let clearance = self.given.founded.then(|| self.clearance_extremes(from, start));
+                let clearance = self.clearance_above_ground(from, start);
                 spans.push(FreeSpan { from, to: start, clearance, moment: self.moment_extremes(from, start) });
             }
             from = from.max(end);
         }
         spans
+    }
+
+    /// The greatest and the least clearance from `from` to `to`, each an end of the beam or of a contact; at a step the values of
+    /// both sides count. Zero without a foundation \[length\].
+    #[must_use]
+    pub fn clearance_extremes(&self, from: f64, to: f64) -> Extremes {
+        self.clearance_above_ground(from, to).unwrap_or_default()
+    }
+
+    /// The same; [`None`] if there is nowhere a foundation.
+    fn clearance_above_ground(&self, from: f64, to: f64) -> Option<Extremes> {
+        if !self.given.founded {
+            return None;
+        }
+        let Scale { length, depth, .. } = self.scale;
+        if let Some(springs) = &self.springs {
+            let extremes = springs.clearance_extremes([from / length, to / length])?;
+            return Some(extremes.in_units(depth, length));
+        }
+        let extremes = summary::clearance_extremes(&self.given, &self.pieces_between(from, to));
+        Some(extremes.in_units(depth, length))
+    }
+
+    /// The greatest and the least moment from `from` to `to`, each an end of the beam or of a contact \[force · length\].
+    #[must_use]
+    pub fn moment_extremes(&self, from: f64, to: f64) -> Extremes {
+        let Scale { length, .. } = self.scale;
+        let bent = match &self.springs {
+            Some(springs) => springs.bend_extremes([from / length, to / length]),
+            None => summary::bend_extremes(&self.given, &self.pieces_between(from, to)),
+        };
+        bent.in_units(self.stiffness * self.scale.moment(), length)
+    }
+
+    /// The pieces of the beam from `from` to `to`, in the units of the scene; of one that reaches beyond, its cells inside.
+    fn pieces_between(&self, from: f64, to: f64) -> Vec<Piece> {
+        let [from, to] = [from, to].map(|x| x / self.scale.length);
+        let inside = |piece: &Piece| {
+            let middle = 0.5 * (piece.lo + piece.hi);
+            from <= middle && middle <= to
+        };
+        let first = self.pieces.partition_point(|piece| piece.hi < from);
+        let mut pieces = Vec::new();
+        for piece in self.pieces[first..].iter().take_while(|piece| piece.lo <= to) {
+            // Places in the units of the scene are those of pieces but for rounding.
+            let ends = [0, piece.count() - 1].map(|k| piece.part(&self.given, k, k));
+            if ends.iter().all(inside) {
+                pieces.push(*piece);
+                continue;
+            }
+            let start = pieces.len();
+            pieces.extend(piece.parts(&self.given).filter(inside));
+            if !piece.is_from_the_left() {
+                pieces[start..].reverse();
+            }
+        }
+        pieces
     }
 }

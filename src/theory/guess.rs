@@ -222,6 +222,7 @@ impl Samples {
             sample.load += end.force;
         }
         self.turn(given, &mut samples);
+        self.on_springs(given, &mut samples);
         self.solve(given, &mut samples)
     }
 

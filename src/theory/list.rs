@@ -17,16 +17,18 @@
 //! Beyond the outermost nodes the beam hangs over: moment and shear force there follow from its loads. So the outermost node, if
 //! it leaves the slope free, is a hinge with a given moment and has no unknown either. A free end in a zone has none because beside
 //! a zone on straight ground the moment of an overhang vanishes doubly at the free end, and the equation of a place would be
-//! singular.
+//! singular. Where springs hold the beam beyond, or one holds the node against turning, statics do not say its moment, and its slope is
+//! unknown.
 //!
 //! Ground at the level of a support may hold the slope of the beam there: it pushes up next to the support, which pulls down, and
 //! the two are a couple. Of the force at a zone that begins or ends there only the sum with that of the support is unique: the
 //! support is said to take all of it.
 
-use super::divided::{self, Parts};
+mod spans;
+
 use super::overhang::Overhang;
 use super::piecewise::PiecewiseScene;
-use super::span::{End, EndCondition, Span};
+use super::span::{End, EndCondition};
 use crate::certificate::Slope;
 
 /// What is not known of a node.
@@ -86,72 +88,13 @@ impl List {
         if node.can_move() {
             return Some(Unknown::Place);
         }
-        let inner = 0 < i && i + 1 < self.nodes.len();
-        (inner && node.held_slope(given).is_none()).then_some(Unknown::Slope)
+        let bends = !self.overhangs(given, i).contains(&true) || node.turning(given).is_some();
+        (bends && node.held_slope(given).is_none()).then_some(Unknown::Slope)
     }
 
     /// The number of unknowns.
     pub(super) fn unknowns(&self, given: &PiecewiseScene) -> usize {
         (0..self.nodes.len()).filter(|&i| self.unknown(given, i).is_some()).count()
-    }
-
-    /// The spans and overhangs from left to right, each with the number of nodes to its left; one that is divided by its parts.
-    pub(super) fn spans(&self, given: &PiecewiseScene) -> impl Iterator<Item = (usize, Span)> {
-        let n = self.nodes.len();
-        let overhang = |end: Option<&Node>, i, at_left| {
-            let parts = end.map(|node| self.overhang(given, node, at_left));
-            parts.into_iter().flatten().map(move |span| (i, span))
-        };
-        let left = overhang(self.nodes.first().filter(|first| 0.0 < first.x), 0, true);
-        let right = overhang(self.nodes.last().filter(|last| last.x < given.length), n, false);
-        let between = (1..n).filter(|&i| !self.in_zone_before(i));
-        let between = between.flat_map(move |i| self.span(given, i).into_iter().map(move |span| (i, span)));
-        left.chain(between).chain(right)
-    }
-
-    /// The overhang beyond the outermost node on a side.
-    fn overhang(&self, given: &PiecewiseScene, node: &Node, at_left: bool) -> Parts {
-        let [right, left] = node.cells(given);
-        let cell = if at_left { left } else { right };
-        // Where the node leaves the slope free, it is that of the span beside it.
-        let beside = || {
-            let i = if at_left { 1 } else { self.nodes.len() - 1 };
-            let is_span = 0 < i && i < self.nodes.len() && !self.in_zone_before(i);
-            let joint = node.joint(given);
-            let turned = |bent: f64| if joint == 0.0 { 0.0 } else { joint * bent };
-            is_span.then(|| self.span(given, i)).map(|parts| match at_left {
-                true => parts.first.beam_a[1] - turned(parts.first.beam_a[2] - node.couple(given)),
-                false => parts.last().beam_b[1] + turned(parts.last().beam_b[2]),
-            })
-        };
-        let slope = node.held_slope(given).or_else(beside).unwrap_or(node.free_slope()[0]);
-        let held = node.span_end(given, cell);
-        let divisions =
-            if at_left { given.divisions_between(0.0, node.x) } else { given.divisions_between(node.x, given.length) };
-        if divisions.is_empty() {
-            return Parts::one(Span::overhang(given, held, slope, at_left));
-        }
-        Parts::of(divided::overhang(given, held, slope, at_left))
-    }
-
-    /// The span between node `i − 1` and node `i`.
-    fn span(&self, given: &PiecewiseScene, i: usize) -> Parts {
-        let (left, right) = (&self.nodes[i - 1], &self.nodes[i]);
-        let ([from, _], [_, to]) = (left.cells(given), right.cells(given));
-        let (mut a, mut b) = (left.span_end(given, from), right.span_end(given, to));
-        if i == 1 {
-            left.hinge(given, &mut a, true);
-        }
-        if i + 1 == self.nodes.len() {
-            right.hinge(given, &mut b, false);
-        }
-        let (divisions, joint) = (given.divisions_between(a.x, b.x), right.joint(given));
-        if divisions.is_empty() && joint == 0.0 {
-            return Parts::one(Span::between(given, a, b));
-        }
-        let parts = divided::between(given, [a, b], divisions, joint);
-        // Nothing is known of a mechanism.
-        parts.map_or_else(|| Parts::one(Span::between(given, a, b).unknown()), Parts::of)
     }
 
     /// The zones from left to right.
@@ -320,12 +263,19 @@ impl Node {
         self.breakpoint.map_or(0.0, |i| given.breakpoints[i].joint)
     }
 
-    /// By how much a couple that acts at the node makes `v''` jump.
+    /// By how much what acts at the node makes `v''` jump: a couple, and a spring against turning.
     pub(super) fn couple(&self, given: &PiecewiseScene) -> f64 {
-        match self.breakpoint {
-            Some(i) => given.breakpoints[i].couple,
-            None => given.exactly_at(self.x, self.cell).map_or(0.0, |at| at.couple),
-        }
+        let at = self.breakpoint.or_else(|| given.exactly_at(self.x, self.cell));
+        let couple = at.map_or(0.0, |i| given.breakpoints[i].couple);
+        let Some([k, without]) = self.turning(given) else { return couple };
+        let [slope, low] = self.held_slope(given).map_or_else(|| self.free_slope(), |slope| [slope, 0.0]);
+        couple + k * ((slope - without) + low)
+    }
+
+    /// The spring against turning at the node: its stiffness, and the slope without moment.
+    pub(super) fn turning(&self, given: &PiecewiseScene) -> Option<[f64; 2]> {
+        let moved = || given.exactly_at(self.x, self.cell).filter(|_| !given.springs.is_empty());
+        given.turning_at(self.breakpoint.or_else(moved)?)
     }
 
     /// The cells to its right and to its left.
@@ -348,6 +298,7 @@ impl Node {
     fn hinge(&self, given: &PiecewiseScene, end: &mut End, at_left: bool) {
         if let EndCondition::Edge { height, level, .. } = end.hold
             && self.held_slope(given).is_none()
+            && self.turning(given).is_none()
         {
             let couple = if at_left { self.couple(given) } else { -self.couple(given) };
             let curvature = Overhang::of(given, self.x, at_left).moment + couple;

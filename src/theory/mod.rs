@@ -37,6 +37,7 @@ mod exact;
 mod forces;
 mod free_spans;
 pub(crate) mod gauss;
+mod giving;
 mod guess;
 mod leeway;
 mod list;

@@ -71,12 +71,12 @@ fn response([left, right]: [Option<Unknown>; 2], [first, last]: [&Span; 2]) -> [
     };
     let (turn_a, carry_a) = turn(left, &first.at_a, first.stiffness);
     let (turn_b, carry_b) = turn(right, &last.at_b, last.stiffness);
+    if let Some([[aa, ab], [ba, bb]]) = first.answer {
+        return [[carry_a + aa * turn_a, ab * turn_b], [ba * turn_a, carry_b + bb * turn_b]];
+    }
     if first.is_overhang() || last.is_overhang() {
         // Its moment is known from its loads.
         return [[carry_a, 0.0], [0.0, carry_b]];
-    }
-    if let Some([[aa, ab], [ba, bb]]) = first.answer {
-        return [[carry_a + aa * turn_a, ab * turn_b], [ba * turn_a, carry_b + bb * turn_b]];
     }
     let l = first.length() / first.stiffness;
     match (first.a.hold.is_hinged(), first.b.hold.is_hinged()) {
@@ -111,7 +111,7 @@ fn equations(given: &PiecewiseScene, list: &List, spans: impl Iterator<Item = (u
         let unknown = list.unknown(given, i);
         let middle = match unknown {
             None => 1.0,
-            Some(Unknown::Slope) => 0.0,
+            Some(Unknown::Slope) => node.turning(given).map_or(0.0, |[k, _]| -k),
             // A load just here is in neither span, but moving on in either direction would put it into one of them.
             Some(Unknown::Place) => -given.force_at(node.x, node.cell).max(0.0),
         };
@@ -144,7 +144,8 @@ fn equations(given: &PiecewiseScene, list: &List, spans: impl Iterator<Item = (u
     rows
 }
 
-/// `e h''` on a side of node `i`, or where the stiffness changes at an edge `−e v''`: the moment of the ground jumps there, too.
+/// `e h''` on a side of node `i`, or where the stiffness changes at an edge `−e v''`: the moment of the ground jumps there, too. So it does
+/// at an outermost node, which moves only along the ground or has none on its other side.
 fn side(given: &PiecewiseScene, list: &List, i: usize, at: &[f64; 4], beam: &[f64; 4]) -> f64 {
     let changes = |breakpoint: usize| {
         let [left, right] = given.cells_beside(breakpoint).map(|cell| given.cells[cell].stiffness);
@@ -152,7 +153,8 @@ fn side(given: &PiecewiseScene, list: &List, i: usize, at: &[f64; 4], beam: &[f6
     };
     let stands = || list.nodes[i].breakpoint.or_else(|| given.breakpoint_at(list.nodes[i].x));
     let is_changed = !given.divisions.is_empty() && stands().is_some_and(changes);
-    if is_changed { -beam[2] } else { at[2] }
+    let is_outer = !list.nodes[i].can_move() && (i == 0 || i + 1 == list.nodes.len());
+    if is_changed || is_outer { -beam[2] } else { at[2] }
 }
 
 /// How far the equations are from holding.

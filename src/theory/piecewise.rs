@@ -12,6 +12,9 @@
 //! ```
 
 mod along;
+mod giving;
+
+pub(super) use giving::AtSpring;
 
 use super::gauss::Gauss;
 use super::shape::Shape;
@@ -31,6 +34,8 @@ pub(super) struct Cell {
     pub(super) load_slope: f64,
     /// `e`, the bending stiffness over the least one.
     pub(super) stiffness: f64,
+    /// Of an elastic foundation its stiffness over the greatest one, zero where there is none; one on rigid ground.
+    pub(super) ground: f64,
 }
 
 /// A breakpoint, and the two ends of the beam.
@@ -70,6 +75,8 @@ pub(super) struct AtSupport {
     pub(super) slope: Option<f64>,
     /// True if the beam is built in.
     pub(super) built_in: bool,
+    /// A spring against turning: its stiffness over `EI₀`, and the slope without moment.
+    pub(super) turning: Option<[f64; 2]>,
     /// Clearance below it, on its left and on its right.
     pub(super) clearance: [f64; 2],
     /// [`Held::tangent`](crate::scene::Held::tangent): true on a side where the beam can follow the ground from its level.
@@ -92,7 +99,8 @@ pub(super) struct PiecewiseScene {
     pub(super) run_ends: Vec<usize>,
     /// The largest kink of the profile, and its largest step.
     pub(super) roughest: [f64; 2],
-    /// The breakpoints at which the beam changes: its stiffness, or a joint. A span is divided there; from left to right.
+    /// The breakpoints at which the beam changes, its stiffness or a joint, or at which a spring acts. A span is divided there; from left
+    /// to right.
     pub(super) divisions: Vec<usize>,
     /// The smooth pieces of the profile.
     pub(super) shapes: Vec<Shape>,
@@ -117,6 +125,8 @@ pub(super) struct PiecewiseScene {
     pub(super) bearings: Vec<usize>,
     /// From left to right.
     pub(super) supports: Vec<AtSupport>,
+    /// The supports that give, from left to right.
+    pub(super) springs: Vec<AtSpring>,
     /// True for an end of the beam, left and right, without a support.
     pub(super) free_ends: [bool; 2],
     /// Stretches in which a zone of contact would pull at the beam, from left to right; a point load that does so is one
@@ -331,14 +341,9 @@ impl PiecewiseScene {
     }
 
     /// The breakpoint exactly at `x`, which most likely lies in cell `near`.
-    pub(super) fn exactly_at(&self, x: f64, near: usize) -> Option<&Breakpoint> {
+    pub(super) fn exactly_at(&self, x: f64, near: usize) -> Option<usize> {
         let c = &self.cells[near];
-        if c.lo < x && x < c.hi { None } else { self.breakpoint_at(x).map(|breakpoint| &self.breakpoints[breakpoint]) }
-    }
-
-    /// Point load exactly at `x`, which most likely lies in cell `near`.
-    pub(super) fn force_at(&self, x: f64, near: usize) -> f64 {
-        self.exactly_at(x, near).map_or(0.0, |breakpoint| breakpoint.force)
+        if c.lo < x && x < c.hi { None } else { self.breakpoint_at(x) }
     }
 
     /// The breakpoints between cell `first` and cell `last`.

@@ -2,6 +2,7 @@
 //! it would pull, the beam lifts off a foundation that it follows on both sides.
 
 use super::bernstein::{lowest_below, sign_changes};
+use super::divided;
 use super::list::Node;
 use super::piecewise::PiecewiseScene;
 use super::span::{End, Span};
@@ -159,5 +160,15 @@ fn margin_of_couple(given: &PiecewiseScene, lo: f64, hi: f64) -> Option<[f64; 2]
 
 /// The span that bridges a gap, resting on the profile at both ends.
 fn across(given: &PiecewiseScene, [from, to]: [f64; 2]) -> Span {
-    Span::between(given, End::resting(from, given.cell_from(from)), End::resting(to, given.cell_to(to)))
+    let ends = [End::resting(from, given.cell_from(from)), End::resting(to, given.cell_to(to))];
+    let divisions = given.divisions_between(from, to);
+    let parts = if given.springs.is_empty() || divisions.is_empty() {
+        None
+    } else {
+        divided::between(given, ends, divisions, 0.0)
+    };
+    match parts.as_deref() {
+        Some([first, .., last]) => Span { b: last.b, at_b: last.at_b, beam_b: last.beam_b, ..*first },
+        _ => Span::between(given, ends[0], ends[1]),
+    }
 }

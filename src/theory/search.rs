@@ -16,6 +16,7 @@ use super::repair::repaired;
 use super::resting;
 use super::room;
 use super::solve::TheoryError;
+use super::violation::Violation;
 
 /// Links of the first chain, more at the breaks of the profile. *Tuned* on random and hostile scenes: with 6 or with 24 three or four of
 /// 700 hostile ones are lost.
@@ -61,6 +62,15 @@ impl Candidate {
     /// True if every condition holds.
     pub(super) fn solved(&self) -> bool {
         self.checked.faults.is_empty() && self.converged
+    }
+
+    /// The same with what supports that give and only push violate.
+    pub(super) fn with(mut self, wrong: Vec<(usize, Violation)>) -> Self {
+        if !wrong.is_empty() {
+            self.checked.worst = f64::INFINITY;
+        }
+        self.checked.faults.extend(wrong);
+        self
     }
 
     /// The better of two: one that is solved, one that converged, the one that violates less. The work is that of both.

@@ -3,6 +3,7 @@
 use super::breakpoints::MOST_CELLS;
 use super::check::check;
 use super::exact::Exact;
+use super::giving;
 use super::neutral;
 use super::normal;
 use super::piecewise::PiecewiseScene;
@@ -75,7 +76,6 @@ pub fn solve(scene: &Scene) -> Result<Exact, TheoryError> {
 ///
 /// Those of [`solve`].
 pub fn solve_near(scene: &Scene, near: &[&Exact]) -> Result<Exact, TheoryError> {
-    scene.is_firm("the exact solution")?;
     let scaled = scene.scaled()?;
     let foundation = scaled.scene.foundation();
     let own = scaled.scene.beam().shape().filter(|_| foundation.is_some());
@@ -99,23 +99,26 @@ pub fn solve_near(scene: &Scene, near: &[&Exact]) -> Result<Exact, TheoryError> 
         }
     }
     let stiffness = scaled.scene.beam().bending_stiffness();
-    let given = PiecewiseScene::new(&scaled.scene);
     if let Some(ground) = scaled.scene.ground_stiffness() {
-        scene.is_uniform("the solution on ground that gives")?;
-        return Ok(springs::exact(&scaled, given, ground, near)?);
+        scene.is_firm("the solution on ground that gives")?;
+        return Ok(springs::exact(&scaled, PiecewiseScene::new(&scaled.scene), ground, near)?);
     }
-    let neutral = match scaled.balance {
-        Balance::Neutral { about, .. } => neutral::balanced(&given, about),
-        _ => None,
-    };
-    let (found, slopes) = match neutral {
-        Some(found) => found,
-        None => {
-            let near = near.iter().filter(|near| near.solved);
-            let found = search(&given, near.filter_map(|near| near.list_in(&given, &scaled.scale)))?;
-            (reaching_free_ends(&given, found), None)
+    let near: Vec<&Exact> = near.iter().copied().filter(|near| near.solved).collect();
+    let mut slopes = None;
+    let (given, found) = giving::search_with(&scaled.scene, near.first().map(|near| near.acting()), |given, list| {
+        let neutral = match scaled.balance {
+            Balance::Neutral { about, .. } => neutral::balanced(given, about),
+            _ => None,
+        };
+        if let Some((found, turns)) = neutral {
+            slopes = turns;
+            return Ok(found);
         }
-    };
+        slopes = None;
+        let near = near.iter().filter_map(|near| near.list_in(given, &scaled.scale));
+        let found = search(given, list.cloned().into_iter().chain(near))?;
+        Ok(reaching_free_ends(given, found))
+    })?;
     let exact = Exact::new(given, found, scaled.scale, stiffness);
     Ok(exact.balanced(scaled.balance.in_units_of(&scaled.scale), slopes))
 }

@@ -87,6 +87,11 @@ pub(super) struct End {
 }
 
 impl End {
+    /// An end that nothing holds.
+    pub(super) fn free(x: f64, cell: usize) -> Self {
+        Self { x, low: 0.0, cell, hold: EndCondition::Free }
+    }
+
     /// An end that rests on a smooth piece of the profile.
     pub(super) fn resting(x: f64, cell: usize) -> Self {
         Self { x, low: 0.0, cell, hold: EndCondition::Resting }
@@ -148,7 +153,7 @@ impl Span {
     /// ```
     pub(super) fn overhang(given: &PiecewiseScene, held: End, slope: f64, at_left: bool) -> Self {
         let (x, cell) = if at_left { (0.0, 0) } else { (given.length, given.cells.len() - 1) };
-        let free = End { x, low: 0.0, cell, hold: EndCondition::Free };
+        let free = End::free(x, cell);
         let length = (held.x - free.x).abs();
         let Overhang { force, moment, turn, sag } = Overhang::of(given, held.x, at_left);
         let e = given.cells[free.cell].stiffness;

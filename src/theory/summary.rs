@@ -25,7 +25,7 @@ pub(super) fn state(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -
         touches: Vec::new(),
         deflection,
         moment: Extremes { max: moment(min), max_at: min_at, min: moment(max), min_at: max_at },
-        energy: energy(given, pieces) * stiffness,
+        energy: (energy(given, pieces) + in_springs(given, found)) * stiffness,
         pressure: None,
         nodes: None,
     }
@@ -36,23 +36,31 @@ fn supports(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -> Vec<Su
     let nodes = found.list.nodes.iter().zip(&found.checked.forces).zip(&found.checked.moments);
     let supports = nodes.filter_map(|((node, force), moments)| {
         let support = &given.supports[node.support(given)?];
+        let (at, holds) = (&given.breakpoints[support.breakpoint], support.built_in || support.turning.is_some());
         // Beside the support, on the side where there is a beam: of both the larger one.
         let [left, right] = *moments;
         let moment = larger_moment(*moments);
         Some(SupportForce {
             at: node.x,
-            force: (force + given.breakpoints[support.breakpoint].force) * stiffness,
-            moment: support.built_in.then_some(moment * stiffness),
-            couple: if support.built_in { (right - left + node.couple(given)) * stiffness } else { 0.0 },
+            force: (force + at.force) * stiffness,
+            moment: holds.then_some(moment * stiffness),
+            couple: if holds { (right - left + at.couple) * stiffness } else { 0.0 },
             pushes_only: false,
         })
+    });
+    let springs = given.springs.iter().zip(&found.checked.springs).map(|(spring, state)| SupportForce {
+        at: given.breakpoints[spring.breakpoint].x,
+        force: state.force * stiffness + 0.0,
+        moment: spring.turning.map(|_| larger_moment(state.moments) * stiffness),
+        couple: state.couple * stiffness,
+        pushes_only: spring.pushes_only,
     });
     let rests = |i: usize| found.list.nodes.iter().position(|node| node.is_edge(given) && node.breakpoint == Some(i));
     let bearings = given.bearings.iter().map(|&i| {
         let force = rests(i).map_or(0.0, |node| found.checked.forces[node]);
         SupportForce::pushing(given.breakpoints[i].x, force * stiffness)
     });
-    let mut all: Vec<SupportForce> = supports.chain(bearings).collect();
+    let mut all: Vec<SupportForce> = supports.chain(bearings).chain(springs).collect();
     all.sort_by(|a, b| a.at.total_cmp(&b.at));
     all
 }
@@ -119,6 +127,22 @@ fn energy(given: &PiecewiseScene, pieces: &[Piece]) -> f64 {
         sum += 0.5 * joint.joint * bent * bent;
     }
     sum
+}
+
+/// What springs take up, `Σ R²/2k + Σ C²/2k` with their forces and couples.
+fn in_springs(given: &PiecewiseScene, found: &Candidate) -> f64 {
+    let taken = |k: f64, acts: f64| 0.5 * acts * (acts / k);
+    let turned = |turning: Option<[f64; 2]>, couple: f64| turning.map_or(0.0, |[k, _]| taken(k, couple));
+    let springs = given.springs.iter().zip(&found.checked.springs);
+    let sunk: f64 =
+        springs.map(|(of, state)| taken(of.stiffness, state.force) + turned(of.turning, state.couple)).sum();
+    let at_supports = found.list.nodes.iter().filter_map(|node| {
+        let support = &given.supports[node.support(given)?];
+        // What the node has of its own besides a couple.
+        let couple = node.couple(given) - given.breakpoints[support.breakpoint].couple;
+        Some(turned(support.turning, couple))
+    });
+    sunk + at_supports.sum::<f64>()
 }
 
 /// Extremes of `v` and of `e v''`: at the ends of pieces and at the roots of their derivatives.

@@ -69,6 +69,8 @@ pub(crate) struct EnclosedScene<'a> {
     pub(crate) stiffest: f64,
     pub(crate) length: f64,
     pub(crate) beam: &'a Beam,
+    /// Of an elastic foundation: parts with one stiffness `k` each, from end to end; zero where there is none.
+    pub(crate) ground: &'a [([f64; 2], f64)],
     /// Where the bending stiffness changes, and where joints are, with their stiffness; from left to right.
     pub(crate) changes: &'a [f64],
     pub(crate) joints: &'a [(f64, f64)],
@@ -109,10 +111,11 @@ impl EnclosedScene<'_> {
         cells(from, to, [ends, self.gap.breaks(from, to), self.breaks(from, to)].concat())
     }
 
-    /// Where load or beam change their formula strictly between two places.
+    /// Where load, beam or stiffness of the foundation change their formula strictly between two places.
     pub(crate) fn breaks(&self, from: f64, to: f64) -> Vec<f64> {
         let mut breaks = self.load.breaks(from, to);
         let changes = self.changes.iter().copied().chain(self.joints.iter().map(|joint| joint.0));
+        let changes = changes.chain(self.ground.iter().map(|(part, _)| part[0]));
         breaks.extend(changes.filter(|x| from < *x && *x < to));
         breaks
     }
@@ -120,6 +123,24 @@ impl EnclosedScene<'_> {
     /// `EI` between two places without a change between them.
     pub(crate) fn stiffness_between(&self, [from, to]: [f64; 2]) -> f64 {
         if self.changes.is_empty() { self.stiffness } else { self.beam.stiffness_between(from, to) }
+    }
+
+    /// `k` between two places without a change between them; zero where there is no elastic foundation.
+    pub(crate) fn ground_between(&self, [from, to]: [f64; 2]) -> f64 {
+        let middle = 0.5 * (from + to);
+        let next = self.ground.partition_point(|(part, _)| part[0] <= middle);
+        next.checked_sub(1).map_or(0.0, |i| self.ground[i].1)
+    }
+
+    /// The greatest `k`.
+    pub(crate) fn stiffest_ground(&self) -> f64 {
+        self.ground.iter().fold(0.0, |most, (_, k)| k.max(most))
+    }
+
+    /// The stiffness of a joint at a place, zero of a hinge.
+    pub(crate) fn joint(&self, x: f64) -> Option<f64> {
+        let here = self.joints.get(self.joints.partition_point(|joint| joint.0 < x));
+        here.filter(|joint| joint.0 <= x).map(|joint| joint.1)
     }
 
     /// In which moments are counted where slopes are sought: over `EI` of a beam that does not change.

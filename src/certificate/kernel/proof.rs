@@ -73,8 +73,6 @@ pub(crate) struct Pair {
 /// What a pair on an elastic foundation has besides.
 #[derive(Debug, Clone)]
 pub(crate) struct Sprung {
-    /// `k`.
-    pub(crate) stiffness: Interval,
     /// `½∫ k (v̂ − g)₊²`.
     pub(crate) energy: Interval,
     /// `M(from + s)` of the pair before pulls are cut off, by parts from left to right: in balance with the loads but for supports.

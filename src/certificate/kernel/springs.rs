@@ -7,6 +7,8 @@
 //! ½∫ EI (v̂'' − v*'')² + ½∫ k (w₊ − w*₊)² ≤ gap
 //! ```
 //!
+//! and in a joint `½ (k_j [v̂'] + M)²/k_j` more. `EI` and `k` are one number on a stretch; where `k = 0` nothing presses, and `v̂` is free.
+//!
 //! Between pressed parts the beam hangs as on rigid ground. On one, with the polynomial `t` that is given, and cubics `δ` and `r` by
 //! which `v̂` and `M` are what they are at its two ends,
 //!
@@ -23,6 +25,7 @@
 mod groups;
 mod walks;
 
+use self::groups::uncertainty;
 use self::walks::{Reached, Walk};
 use super::contact_node::EnclosedScene;
 use super::held::lines;
@@ -52,7 +55,6 @@ pub(crate) const MOST_TERMS: usize = TERMS - 2;
 /// A scene on ground that gives, with stretches from end to end.
 struct OnSprings<'a> {
     enclosed: &'a EnclosedScene<'a>,
-    k: Interval,
     stretches: &'a [Stretch],
     /// For each node what was walked to there; empty before.
     reached: Vec<Option<Reached>>,
@@ -60,11 +62,14 @@ struct OnSprings<'a> {
     sheared: Vec<Option<[Interval; 2]>>,
 }
 
-/// A pressed part, its least penetration, and what a share of its pressure costs: that share of `√(∫p²/k)`.
+/// A pressed part, its least penetration, what a share of its pressure costs, that share of `√(∫p²/k)`, and `∫ k`.
 struct Carrier {
     place: Datum,
     sunk: f64,
     cost: Interval,
+    stiffness: Interval,
+    /// `(4 EI/k)^¼`.
+    length: f64,
 }
 
 /// What all stretches come to.
@@ -74,12 +79,14 @@ struct Sums {
     moments: Vec<([f64; 2], Polynomial)>,
     carriers: Vec<Carrier>,
     cut_off: PullCutOff,
-    /// The most that any pressure pulls with.
-    pull: f64,
+    /// `∫ p²/k` of what any pressure pulls with.
+    pull: Interval,
     /// Twice the gap without what is cut off.
     square: Interval,
     /// `∫ k w₊²`.
     energy: Interval,
+    /// `Σ k_j [v̂']²`.
+    turned: Interval,
 }
 
 /// The cubic that has given values and slopes at `0` and `w`, less those of a polynomial; with a mean slope `a` that is known in another
@@ -121,14 +128,21 @@ impl OnSprings<'_> {
             Some(reached) => reached,
             None => (own, [self.said(node, own, 0)?, self.said(node, own, 1)?]),
         };
-        let free = [w + jump(side, 0), slope + jump(side, 1)];
+        // Beyond a joint the slope is another one.
+        let slope = match self.enclosed.joint(self.x(node)).filter(|_| side != left) {
+            Some(_) => self.said(node, left, 1)? - if self.is_pressed(node, left) { Interval::ZERO } else { gap[1] },
+            None => slope + jump(side, 1),
+        };
+        let free = [w + jump(side, 0), slope];
         let Some(support) = self.enclosed.support(self.x(node)) else { return Some(free) };
         Some([support.deflection - gap[0], support.slope.map_or(free[1], |slope| slope - gap[1])])
     }
 
-    /// `v̂` and its slope at a node; [`None`] at a free end that hangs.
+    /// `v̂` and its slope at a node, at a joint that on its right side; [`None`] at a free end that hangs.
     fn end(&self, node: usize) -> Option<[Interval; 2]> {
         let (x, left) = (self.x(node), !self.is_pressed(node, false));
+        // Of a joint the slope beyond it.
+        let left = left && self.enclosed.joint(x).is_none();
         let own = self.sunk(node, left).map(|w| [0, 1].map(|j| self.enclosed.gap.jet(x, left)[j] + w[j]));
         let Some(support) = self.enclosed.support(x) else { return own };
         let slope = support.slope.or(own.map(|own| own[1])).or(self.said(node, false, 1)).or(self.said(node, true, 1));
@@ -146,15 +160,26 @@ impl OnSprings<'_> {
         let chained = stretches.windows(2).all(|w| (w[0].to - w[1].from).abs() <= 0.0);
         let last = stretches.last().is_some_and(|last| (last.to - enclosed.length).abs() <= 0.0);
         let one_gap = |s: &Stretch| enclosed.gap.is_smooth_between(s.from, s.to);
-        let one_load = |s: &Stretch| enclosed.load.breaks(s.from, s.to).is_empty() && s.sunk.len() <= MOST_TERMS;
+        let one_load = |s: &Stretch| {
+            let is_grounded = 0.0 < enclosed.ground_between([s.from, s.to]);
+            enclosed.breaks(s.from, s.to).is_empty() && is_grounded && s.sunk.len() <= MOST_TERMS
+        };
         let is_one = |s: &Stretch| s.from < s.to && (s.sunk.is_empty() || one_gap(s) && one_load(s));
         let whole = chained && self.x(0).abs() <= 0.0 && last && stretches.iter().all(is_one);
         whole && (1..stretches.len()).all(|i| self.end(i).is_some())
     }
 
-    /// `(4 EI/k)^¼`.
-    fn length(&self) -> Interval {
-        (number(4) * Interval::exact(self.enclosed.stiffness) / self.k).sqrt().sqrt()
+    /// `k` and `EI` of a stretch on which ground presses.
+    fn stiffness(&self, i: usize) -> [Interval; 2] {
+        let Stretch { from, to, .. } = self.stretches[i];
+        let ends = [from, to];
+        [self.enclosed.ground_between(ends), self.enclosed.stiffness_between(ends)].map(Interval::exact)
+    }
+
+    /// `(4 EI/k)^¼` of a stretch.
+    fn length(&self, i: usize) -> Interval {
+        let [k, stiffness] = self.stiffness(i);
+        (number(4) * stiffness / k).sqrt().sqrt()
     }
 
     /// The width of a pressed stretch, and its `t`.
@@ -167,7 +192,7 @@ impl OnSprings<'_> {
     fn caused(&self, i: usize, t: &Polynomial) -> Polynomial {
         let Stretch { from, to, .. } = self.stretches[i];
         let load = Polynomial::new(&self.enclosed.load.line(from, [from, to]));
-        t.times(self.k).minus(&load).integral().integral()
+        t.times(self.stiffness(i)[0]).minus(&load).integral().integral()
     }
 
     /// `v₁ − v₀ − θ₀ L` of what hangs between two places at which ground presses: from what the gap rises by.
@@ -182,7 +207,7 @@ impl OnSprings<'_> {
     fn overhanging(&self, spans: &[Option<Span>], node: usize, left: bool) -> Option<Interval> {
         let (i, tip) = if left { (node.checked_sub(1)?, 0) } else { (node, spans.len()) };
         let span = spans.get(i)?.as_ref().filter(|_| node.abs_diff(tip) == 1 && self.end(tip).is_none())?;
-        Some(-(Interval::exact(self.enclosed.stiffness) * if left { span.end } else { span.start }[2]))
+        Some(-(self.enclosed.stiffness_beside(self.x(node), left) * if left { span.end } else { span.start }[2]))
     }
 
     /// `M` beside a node, on its left and on its right: as is said, but of an overhang by statics.
@@ -190,6 +215,9 @@ impl OnSprings<'_> {
         let by_statics = |left: bool| self.overhanging(spans, node, left);
         let own = |left: bool| by_statics(left).or(self.said(node, left, 2)).unwrap_or(Interval::ZERO);
         let couple = self.enclosed.load.couple(self.x(node));
+        if self.enclosed.joint(self.x(node)) == Some(0.0) {
+            return [Interval::ZERO; 2];
+        }
         let left = match self.enclosed.support(self.x(node)).and_then(|s| s.slope) {
             Some(_) => return [true, false].map(own),
             None if node == 0 => Interval::ZERO,
@@ -218,21 +246,32 @@ impl OnSprings<'_> {
 
     /// Adds a part that hangs, with the moments at its two ends: by how far it is off its moments, and below the ground.
     fn hang(&self, i: usize, span: &Span, moments: [Interval; 2], sums: &mut Sums) {
-        let stiffness = Interval::exact(self.enclosed.stiffness);
-        sums.square = sums.square + span.misfit(stiffness, moments) / (number(6) * stiffness);
+        sums.square = sums.square + number(2) * span.work(self.enclosed, moments);
+        for &(x, kink) in span.kinks() {
+            let k = Interval::exact(self.enclosed.joint(x).unwrap_or(0.0));
+            sums.turned = sums.turned + k * kink.square();
+        }
         sums.moments.extend(span.moments(self.enclosed, moments));
         for (cell, curves) in span.curves(self.enclosed, self.enclosed.gap.breaks(span.from, span.to)) {
+            let k = Interval::exact(self.enclosed.ground_between(cell));
             let half = Interval::exact(0.5 * Interval::length(cell[0], cell[1]).hi());
             for (side, v) in curves.iter().enumerate() {
                 let clearance = self.enclosed.gap.about(cell[side], cell).minus(v);
                 let clearance = if side == 1 { clearance.mirrored() } else { clearance };
                 // Beside a pressed part it is no difference of two depths.
                 let beside = self.sunk(i + side, side == 1).filter(|_| (cell[side] - self.x(i + side)).abs() <= 0.0);
-                let known =
+                let mut known =
                     beside.map(|[w, w1]| [-w, if side == 1 { w1 } else { -w1 }]).unwrap_or([Interval::WHOLE; 2]);
+                // A joint at its right end turns between the two.
+                if side == 1 && self.enclosed.joint(cell[1]).is_some() {
+                    known[1] = Interval::WHOLE;
+                }
+                if k.hi() <= 0.0 {
+                    continue;
+                }
                 clearance.known(&known).negative(half, |w, [_, width], end| {
                     let is_taken = end.contains(&true);
-                    let below = if is_taken { self.k * Interval::exact(w).square() * width } else { Interval::ZERO };
+                    let below = if is_taken { k * Interval::exact(w).square() * width } else { Interval::ZERO };
                     sums.square = sums.square + below;
                     sums.energy = sums.energy + below.hull(Interval::ZERO);
                     is_taken
@@ -244,7 +283,7 @@ impl OnSprings<'_> {
 
     /// Adds a stretch on which ground presses, with moment and shear at its two ends; [`None`] if it cannot.
     fn press(&self, i: usize, held: [[Interval; 2]; 2], walks: [Option<Walk>; 2], sums: &mut Sums) -> Option<()> {
-        let (k, stiffness) = (self.k, Interval::exact(self.enclosed.stiffness));
+        let [k, stiffness] = self.stiffness(i);
         let Stretch { from, to, .. } = self.stretches[i];
         let (ends, (width, t)) = ([from, to], self.polynomial(i));
         let ends_sunk = [self.sunk(i, false)?, self.sunk(i + 1, true)?];
@@ -261,23 +300,40 @@ impl OnSprings<'_> {
         let (pressure, sunk) = (p.range(width), w.range(width));
         let above = Interval::exact(sunk.lo().min(0.0)).square() * width;
         sums.energy = sums.energy + k * (of(&w) - above.hull(Interval::ZERO));
+        let before = sums.cut_off.pulls.len();
         sums.cut_off.pressure(&p, ends, width);
-        sums.pull = sums.pull.max(-pressure.lo());
+        let cut = sums.cut_off.pulls[before..].iter().fold(Interval::ZERO, |sum, pull| sum + Interval::exact(pull.1));
+        sums.pull = sums.pull + cut * Interval::exact((-pressure.lo()).max(0.0)) / k;
         let presses = Interval::exact(pressure.lo()) * width;
         let cost = Interval::exact(pressure.hi()) * (width / k).sqrt() / presses;
         sums.carriers.push(Carrier {
             place: Datum { from, to, presses: presses.lo(), uncertainty: 0.0 },
             sunk: sunk.lo(),
             cost,
+            stiffness: k * width,
+            length: self.length(i).hi(),
         });
         sums.pieces.push(Piece { from, to, v, pressed: true });
         sums.moments.push((ends, moment));
         Some(())
     }
 
+    /// Adds the joints at the right ends of stretches on which ground presses; those of what hangs are parts of it.
+    fn turn(&self, moments: &[[Interval; 2]], sums: &mut Sums) {
+        for (node, moment) in moments.iter().enumerate().filter(|(node, _)| self.is_pressed(*node, true)) {
+            let Some(k) = self.enclosed.joint(self.x(node)).filter(|k| 0.0 < *k).map(Interval::exact) else { continue };
+            let gap = [true, false].map(|left| self.enclosed.gap.jet(self.x(node), left)[1]);
+            let slopes = [true, false].map(|left| self.sunk(node, left).map_or(Interval::WHOLE, |w| w[1]));
+            let broken = if self.enclosed.gap.is_smooth_at(self.x(node)) { Interval::ZERO } else { gap[1] - gap[0] };
+            let kink = slopes[1] - slopes[0] + broken;
+            sums.square = sums.square + (k * kink + moment[0]).square() / k;
+            sums.turned = sums.turned + k * kink.square();
+        }
+    }
+
     /// The gap, at least the share of what is cut off that one place takes, and what holds the beam: its supports, or pressed parts.
     fn held(&self, sums: &Sums) -> Option<(f64, Interval, Vec<Line>)> {
-        let Self { enclosed, k, .. } = *self;
+        let enclosed = self.enclosed;
         let pressing = sums.carriers.iter().map(|c| c.place).filter(|place| 0.0 < place.presses);
         let mut places: Vec<Datum> = pressing.chain(enclosed.supports.iter().map(|s| Datum::at(s.x))).collect();
         let fixed = enclosed.supports.iter().filter(|s| s.slope.is_some()).map(|s| s.x);
@@ -286,12 +342,10 @@ impl OnSprings<'_> {
         let carrier = |at: &Datum| sums.carriers.iter().find(|c| at.presses.is_finite() && at.from <= c.place.from);
         let cost = |place: &Datum| carrier(place).map_or(Interval::ZERO, |carrier| share * carrier.cost);
         let changed = lines.iter().fold(Interval::ZERO, |sum, Line(a, b)| sum + cost(a) + cost(b));
-        let cut = sums.cut_off.pulls.iter().fold(Interval::ZERO, |sum, pull| sum + Interval::exact(pull.1));
-        let cut = (cut * Interval::exact(sums.pull) / k).sqrt();
-        let gap = ((sums.square.sqrt() + moment + cut + changed).square() / number(2)).hi();
+        let gap = ((sums.square.sqrt() + moment + sums.pull.sqrt() + changed).square() / number(2)).hi();
         let known = |place: &Datum| {
-            let Some(Carrier { sunk, .. }) = carrier(place) else { return Some(*place) };
-            let off = self.uncertainty(gap, Interval::length(place.from, place.to));
+            let Some(Carrier { sunk, stiffness, .. }) = carrier(place) else { return Some(*place) };
+            let off = uncertainty(gap, *stiffness);
             (off < *sunk && share.hi() < place.presses).then_some(Datum { uncertainty: off, ..*place })
         };
         let lines = lines.iter().map(|Line(left, right)| Some(Line(known(left)?, known(right)?)));
@@ -300,10 +354,10 @@ impl OnSprings<'_> {
     }
 }
 
-/// The pair of some stretches on ground of a stiffness, if there is one.
-pub(crate) fn pair(enclosed: &EnclosedScene<'_>, ground: f64, stretches: &[Stretch]) -> Option<Pair> {
-    let (k, n) = (Interval::exact(ground), stretches.len());
-    let mut on = OnSprings { enclosed, k, stretches, reached: Vec::new(), sheared: Vec::new() };
+/// The pair of some stretches, if there is one.
+pub(crate) fn pair(enclosed: &EnclosedScene<'_>, stretches: &[Stretch]) -> Option<Pair> {
+    let n = stretches.len();
+    let mut on = OnSprings { enclosed, stretches, reached: Vec::new(), sheared: Vec::new() };
     let nodes = enclosed.supports.iter().map(|s| (0..=n).find(|node| (on.x(*node) - s.x).abs() <= 0.0));
     let nodes: Vec<usize> = nodes.collect::<Option<_>>().filter(|_| on.is_complete())?;
     let sinks = on.walk();
@@ -320,12 +374,13 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, ground: f64, stretches: &[Stret
             None => on.press(i, held, [sinks[i], bends[i]], &mut sums)?,
         }
     }
+    on.turn(&moments, &mut sums);
     let (gap, share, lines) = on.held(&sums)?;
     let force = |&node: &usize| shears[node][1] - shears[node][0] + enclosed.load.point(on.x(node));
     let carried = nodes.iter().map(|node| (on.x(*node), force(node) + Interval::around_zero(share.hi()))).collect();
     let zones = on.held_by_groups(&sums.carriers, gap);
-    let ground = Some(Sprung { stiffness: k, energy: sums.energy / number(2), moments: sums.moments });
-    let (pieces, turned, soft) = (sums.pieces, Interval::ZERO, enclosed.soft());
+    let ground = Some(Sprung { energy: sums.energy / number(2), moments: sums.moments });
+    let (pieces, turned, soft) = (sums.pieces, sums.turned / number(2), enclosed.soft());
     Some(Pair { pieces, gap, carried, lines, zones, turns_about: None, lifted: 0.0, ground, turned, soft })
 }
 

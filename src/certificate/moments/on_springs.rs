@@ -15,7 +15,7 @@
 //! m(x) = ∫ m φ'' dx − ∫ f φ dx:    |m(x)| ≤ 2 √( 2 gap S ),    S = ∫ (EI φ''² + k φ²) dx
 //! ```
 //!
-//! if `φ = φ' = 0` before the next support, or whatever it is at a free end, where neither field has a moment that the loads do not give.
+//! with the greatest `EI` and `k`, if `φ = φ' = 0` before the next support, or whatever it is at a free end, where neither field has a moment that the loads do not give.
 //!
 //! - `φ'' = 3/2w` for `0 < s < w` and `−1/2w` for `w < s < 2w`: `S = 5 EI/2w + k w³/12`, least for `w⁴ = 10 EI/k`. Between two supports that are `b`
 //!   apart, `w ≤ b/4`. In an overhang any `w` will do: beyond the tip there is nothing.
@@ -38,8 +38,7 @@ pub(super) fn moments(enclosed: &EnclosedScene<'_>, sprung: &Sprung, gap: f64) -
     places.dedup();
     let begins_before = |x: f64| sprung.moments.partition_point(|(ends, _)| ends[0] < x);
     let brackets = places.windows(2).map(|bay| {
-        let error =
-            number(2) * (number(2) * Interval::exact(gap) * size(enclosed, sprung.stiffness, [bay[0], bay[1]])).sqrt();
+        let error = number(2) * (number(2) * Interval::exact(gap) * size(enclosed, [bay[0], bay[1]])).sqrt();
         let inside = &sprung.moments[begins_before(bay[0])..begins_before(bay[1])];
         extremes(inside.iter().copied()).map(|of| of + Interval::around_zero(error.hi()))
     });
@@ -51,8 +50,9 @@ pub(super) fn moments(enclosed: &EnclosedScene<'_>, sprung: &Sprung, gap: f64) -
 }
 
 /// `S` of the best `φ` for all places between two neighbouring supports, or between a support and an end of the beam.
-fn size(enclosed: &EnclosedScene<'_>, k: Interval, [from, to]: [f64; 2]) -> Interval {
-    let (stiffness, length, supports) = (Interval::exact(enclosed.stiffness), enclosed.length, enclosed.supports);
+fn size(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2]) -> Interval {
+    let [k, stiffness] = [enclosed.stiffest_ground(), enclosed.stiffest].map(Interval::exact);
+    let (length, supports) = (enclosed.length, enclosed.supports);
     let width = Interval::length(from, to);
     let is_free = [from, to].map(|x| enclosed.support(x).is_none());
     let best = (number(10) * stiffness / k).sqrt().sqrt();

@@ -12,7 +12,7 @@ fn cantilever(intervals: usize, discretisation: Discretisation) -> (Summed, f64)
     let step = LENGTH / intervals as f64;
     let mut forces = vec![0.0; intervals + 1];
     (forces[0], forces[intervals]) = (-2.0, 2.0);
-    let couples = vec![Couple { node: 0, jump: -2.0 * LENGTH }];
+    let couples = vec![Change { node: 0, couple: Some(-2.0 * LENGTH), ..Change::default() }];
     (Summed::of(forces, couples, step, STIFFNESS, discretisation), step)
 }
 
@@ -23,9 +23,9 @@ fn deflection(x: f64) -> f64 {
 
 /// Moments and deflections of all nodes, from the slope of the tangent at the left end.
 fn walked(summed: &Summed, step: f64) -> Vec<[f64; 2]> {
-    let free = summed.walk(0.0, 0.0, |_| ());
+    let free = summed.walk(0.0, 0.0, &[], |_| ());
     let mut all = Vec::new();
-    let tangents = summed.walk(0.0, 0.1 - free[0], |walked| {
+    let tangents = summed.walk(0.0, 0.1 - free[0], &[], |walked| {
         assert_eq!(walked.first, all.len(), "from node to node");
         let jump = walked.jump;
         all.extend(walked.moments.iter().zip(walked.deflections).map(|(m, v)| [(m + jump) * step, *v]));
@@ -63,16 +63,35 @@ fn finite_differences_come_to_the_exact_beam() {
 /// What the forces leave behind the right end, and a couple inside.
 #[test]
 fn what_is_not_in_equilibrium_is_left_over() {
-    let couples = || vec![Couple { node: 3, jump: 0.5 }];
+    let couples = || vec![Change { node: 3, couple: Some(0.5), ..Change::default() }];
     let of = |forces: Vec<f64>, couples| Summed::of(forces, couples, 2.0, STIFFNESS, Discretisation::BeamElements);
     let bits = |left_over: [f64; 2]| left_over.map(f64::to_bits);
     assert_eq!(bits(of(vec![0.0, -1.0, 0.0, 0.0, 1.0], vec![]).left_over), bits([0.0, 6.0]), "a pair of forces");
     assert_eq!(bits(of(vec![0.0, -1.0, 0.0, 0.0, 0.5], couples()).left_over), bits([0.5, 6.5]), "and a couple");
     let mut seen = Vec::new();
-    let tangents = of(vec![-1.0, 0.0, 0.0, 0.0, 1.0], couples()).walk(0.0, 0.0, |walked| {
+    let tangents = of(vec![-1.0, 0.0, 0.0, 0.0, 1.0], couples()).walk(0.0, 0.0, &[], |walked| {
         seen.extend(walked.moments.iter().map(|m| [2.0 * m, 2.0 * (m + walked.jump)]));
     });
     assert_eq!(seen, [[0.0, 0.0], [2.0, 2.0], [4.0, 4.0], [6.0, 6.5], [8.5, 8.5]]);
     // φ = φ_0 − x²/2EI, where v(2) = 2 φ_0 − 8/6EI is zero as the slope in the first interval is.
     assert!((tangents[0] - (4.0 / 6.0 - 18.0) / STIFFNESS).abs() < 1e-12, "{tangents:?}");
+}
+
+/// A cantilever of two halves, of `EI` and of `2 EI`, with a joint of 5 between them: each turns the tip by its own part, the
+/// joint by `P (l/2)²/k`.
+#[test]
+fn a_beam_that_changes_is_found() {
+    let (half, force) = (0.5 * LENGTH, 2.0);
+    let by_parts = |stiff: f64, soft: f64| force * half * half * half * (7.0 / stiff + 1.0 / soft) / 3.0;
+    for intervals in [2, 30, 2 * BATCH + 2] {
+        let step = LENGTH / f64::from(u32::try_from(intervals).expect("few"));
+        let mut forces = vec![0.0; intervals + 1];
+        (forces[0], forces[intervals]) = (-force, force);
+        let wall = Change { node: 0, couple: Some(-force * LENGTH), soft: Some(0.5), joint: 0.0 };
+        let joint = Change { node: intervals / 2, soft: Some(1.0), joint: 1.0 / 5.0, ..Change::default() };
+        let summed = Summed::of(forces, vec![wall, joint], step, STIFFNESS, Discretisation::BeamElements);
+        let tip = walked(&summed, step)[intervals][1] - 0.1 * LENGTH;
+        let expected = by_parts(2.0 * STIFFNESS, STIFFNESS) + force * half * half / 5.0;
+        assert!((tip - expected).abs() < 1e-10 * expected, "{tip}, not {expected}, of {intervals}");
+    }
 }

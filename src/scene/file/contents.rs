@@ -15,7 +15,7 @@ pub(super) struct Contents {
     pub(super) load: LoadKeys,
     pub(super) foundation: Option<Given>,
     /// Of ground that gives.
-    pub(super) stiffness: Option<f64>,
+    pub(super) stiffness: Option<Stiffness>,
 }
 
 pub(super) fn read(document: &DeTable<'_>) -> Result<Contents, Error> {
@@ -28,7 +28,10 @@ pub(super) fn read(document: &DeTable<'_>) -> Result<Contents, Error> {
         beam,
         load: load(&file)?,
         foundation: profile(&file, "foundation", Profile::Foundation, GROUND)?,
-        stiffness: file.table("foundation", GROUND)?.map_or(Ok(None), |ground| ground.number("stiffness"))?,
+        stiffness: match file.table("foundation", GROUND)?.and_then(|ground| ground.get("stiffness")) {
+            Some(value) => Some(stiffness(&value)?),
+            None => None,
+        },
     })
 }
 
@@ -64,7 +67,7 @@ fn beam(file: &Keys<'_>) -> Result<BeamKeys, Error> {
     })
 }
 
-/// A bending stiffness.
+/// A stiffness of the beam, or of the foundation.
 #[derive(Debug)]
 pub(super) enum Stiffness {
     /// From end to end.

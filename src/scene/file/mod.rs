@@ -132,7 +132,7 @@ fn assemble(
     shape: Option<Foundation>,
     load: LoadKeys,
     foundation: Option<Foundation>,
-    stiffness: Option<f64>,
+    stiffness: Option<Stiffness>,
 ) -> Result<Scene, SceneError> {
     let mut beam = match keys.bending_stiffness {
         Stiffness::One(stiffness) => Beam::new(keys.length, stiffness)?,
@@ -146,7 +146,11 @@ fn assemble(
     }
     let beam = beam.with_joints(keys.joints)?;
     let load = Load::new(&beam, load.uniform, load.linear, load.point)?.with_couples(&beam, load.couple)?;
-    let scene = Scene::above(beam, load, foundation, stiffness)?;
+    let scene = match stiffness {
+        None => Scene::new(beam, load, foundation)?,
+        Some(Stiffness::One(stiffness)) => Scene::above(beam, load, foundation, Some(stiffness))?,
+        Some(Stiffness::Steps(steps)) => Scene::above_steps(beam, load, foundation, steps)?,
+    };
     scene.scaled()?;
     Ok(scene)
 }

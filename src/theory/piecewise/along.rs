@@ -14,8 +14,11 @@ impl PiecewiseScene {
     /// What acts at breakpoint `i` on a beam that follows the ground on both sides: by how much `e v''` would have to jump more than it
     /// does, and the force, downwards.
     pub(in crate::theory) fn acts_along_ground(&self, i: usize) -> [f64; 2] {
-        let Breakpoint { x, force, couple, joint, .. } = self.breakpoints[i];
-        let [left, right] = self.cells_beside(i);
+        let Breakpoint { x, mut couple, joint, .. } = self.breakpoints[i];
+        let ([left, right], force) = (self.cells_beside(i), self.force_on(i));
+        if let Some([k, slope]) = self.spring_at(i).and_then(|spring| spring.turning) {
+            couple += k * (self.derivative(right, x, 1) - slope);
+        }
         if self.cells[left].shape != self.cells[right].shape || left == right {
             return [-couple, force];
         }

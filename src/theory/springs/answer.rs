@@ -10,7 +10,7 @@ use crate::state::{
 use crate::theory::exact::Exact;
 use crate::theory::gauss::Gauss;
 use crate::theory::list::List;
-use crate::theory::piece::Piece;
+use crate::theory::piece::{Piece, derivatives};
 use crate::theory::piecewise::{AtSupport, Breakpoint, PiecewiseScene};
 use crate::theory::summary::{add_extremes, differentiated};
 use crate::theory::violation::Violation;
@@ -25,7 +25,7 @@ pub(in crate::theory) struct Springs {
     pub(super) parts: Vec<Part>,
     /// Where it is pressed, from left to right.
     pub(super) stretches: Vec<[f64; 2]>,
-    /// `k` over `EI`.
+    /// `k` over `EI₀`, where the ground is stiffest.
     pub(super) stiffness: f64,
 }
 
@@ -35,10 +35,10 @@ impl Springs {
         part_at(&self.parts, x, right)
     }
 
-    /// The pressure over `EI`.
+    /// The pressure over `EI₀`.
     pub(in crate::theory) fn pressure(&self, x: f64) -> f64 {
         let part = self.part(x, true);
-        if part.pressed { self.stiffness * part.sunk(x)[0] } else { 0.0 }
+        if part.pressed { self.stiffness * part.ground * part.sunk(x)[0] } else { 0.0 }
     }
 
     /// How many parts there are.
@@ -60,19 +60,22 @@ impl Springs {
     /// The parts as a witness.
     pub(in crate::theory) fn stretches(&self) -> impl Iterator<Item = Stretch> + '_ {
         self.parts.iter().map(|part| {
-            let Piece { lo, hi, .. } = part.piece;
+            let Piece { lo, hi, anchor, .. } = part.piece;
             let sunk = if part.pressed { part.penetration.clone() } else { Vec::new() };
-            let ends = [lo, hi].map(|x| if part.pressed { part.sunk(x) } else { part.beam(x) });
+            let ends =
+                [lo, hi].map(|x| if part.pressed { part.sunk(x) } else { derivatives(&part.deflection, x - anchor) });
             Stretch { from: lo, to: hi, sunk, ends }
         })
     }
 
-    /// Extremes of the clearance on the parts whose middle lies between two places.
-    pub(in crate::theory) fn clearance_extremes(&self, ends: [f64; 2]) -> Extremes {
-        extremes(self.between(ends), |part: &Part| part.penetration.iter().map(|c| -c).collect())
+    /// Extremes of the clearance on the parts with ground below them whose middle lies between two places; [`None`] if there are none.
+    pub(in crate::theory) fn clearance_extremes(&self, ends: [f64; 2]) -> Option<Extremes> {
+        let grounded = || self.between(ends).filter(|part| 0.0 < part.ground);
+        grounded().next()?;
+        Some(extremes(grounded(), |part: &Part| part.penetration.iter().map(|c| -c).collect()))
     }
 
-    /// Extremes of `−v''` on the same.
+    /// Extremes of `−e v''` between two places.
     pub(in crate::theory) fn bend_extremes(&self, ends: [f64; 2]) -> Extremes {
         extremes(self.between(ends), bend)
     }
@@ -98,9 +101,9 @@ fn extremes<'a>(parts: impl Iterator<Item = &'a Part>, of: impl Fn(&Part) -> Vec
     Extremes::of(values.iter().copied())
 }
 
-/// Taylor coefficients of `−v''`.
+/// Taylor coefficients of `−e v''`.
 fn bend(part: &Part) -> Vec<f64> {
-    second(&part.deflection).iter().map(|c| 0.0 - c).collect()
+    second(&part.deflection).iter().map(|c| 0.0 - c * part.stiffness).collect()
 }
 
 fn second(taylor: &[f64]) -> Vec<f64> {
@@ -185,8 +188,12 @@ fn rounding(part: &Part, length: f64) -> f64 {
     UNITS * f64::EPSILON * size[0].max(size[1])
 }
 
-/// By how much a part violates its side of the surface: where springs press `w` is not negative, elsewhere not positive.
+/// By how much a part violates its side of the surface: where springs press `w` is not negative, elsewhere not positive. Where there are none it
+/// is free.
 fn violation(part: &Part) -> f64 {
+    if part.ground <= 0.0 {
+        return 0.0;
+    }
     let Extremes { max, min, .. } = extremes(std::iter::once(part), |part| part.penetration.clone());
     if part.pressed { -min } else { max }
 }
@@ -206,12 +213,13 @@ fn state(
     let contact = |&[from, to]: &[f64; 2]| {
         let first = parts.partition_point(|part| part.piece.lo < from);
         let inside = parts[first..].iter().take_while(|part| part.piece.hi <= to).filter(|part| part.pressed);
-        let sunk: f64 = inside.map(|part| integral(&part.penetration, part.piece.width())).sum();
+        let sunk: f64 = inside.map(|part| part.ground * integral(&part.penetration, part.piece.width())).sum();
         Contact { from, to, force: springs * sunk * stiffness, end_forces: None }
     };
     let contacts: Vec<Contact> = stretches.iter().map(contact).collect();
     let bent = extremes(parts.iter(), bend);
-    let sunk = extremes(parts.iter().filter(|part| part.pressed), |part| part.penetration.clone());
+    let pressure = |part: &Part| part.penetration.iter().map(|c| part.ground * c).collect();
+    let sunk = extremes(parts.iter().filter(|part| part.pressed), pressure);
     ContactState {
         regime: Regime::of(&contacts),
         reactions: Reactions::of(&supports, given.length),
@@ -260,18 +268,25 @@ pub(super) fn rule(given: &PiecewiseScene) -> Gauss {
     Gauss::exact_to((2 * given.terms).max(PRESSED_DEGREE))
 }
 
-/// `J / EI = ∫ ½ v''² + ½ K (v − g)₊² − q v dx − Σ P v − Σ C v'`.
+/// `J / EI₀ = ∫ ½ e v''² + ½ K (v − g)₊² − q v dx − Σ P v − Σ C v' + ½ Σ w (e v'')²`, the last of joints.
 fn energy(given: &PiecewiseScene, parts: &[Part], springs: f64) -> f64 {
     let rule = rule(given);
     let mut sum = 0.0;
     for part in parts {
         let Piece { lo, hi, cell, .. } = part.piece;
         sum += rule.integral(lo, hi, |x| {
-            let [v, _, v2, _] = part.beam(x);
+            let [v, _, bent, _] = part.beam(x);
             let w = if part.pressed { part.sunk(x)[0] } else { 0.0 };
-            0.5 * (v2 * v2 + springs * w * w) - given.load(cell, x) * v
+            0.5 * (bent * bent / part.stiffness + springs * part.ground * w * w) - given.load(cell, x) * v
         });
     }
+    let joints =
+        given.divisions.iter().map(|&i| &given.breakpoints[i]).filter(|at| 0.0 < at.joint && at.joint.is_finite());
+    let turned = joints.map(|at| {
+        let bent = part_at(parts, at.x, false).beam(at.x)[2];
+        0.5 * at.joint * bent * bent
+    });
+    let sum = turned.fold(sum, |sum, turned| sum + turned);
     given.forces().fold(sum, |sum, &Breakpoint { x, force, couple, .. }| {
         // The slope of a short part is a quotient by its length.
         let [left, right] = [false, true].map(|right| part_at(parts, x, right));

@@ -68,6 +68,7 @@ fn holding(given: &PiecewiseScene, presses: &[bool]) -> PiecewiseScene {
         level: given.breakpoints[breakpoint].depth,
         slope: None,
         built_in: false,
+        turning: None,
         clearance: [f64::INFINITY; 2],
         tangent: [false; 2],
         size: 0.0,

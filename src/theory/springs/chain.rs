@@ -5,6 +5,7 @@
 use super::Part;
 use super::links::{Beam, Kind, Link};
 use crate::qp::blocks::{Block, PENALTY, factor, solve as solve_blocks};
+use crate::theory::divided::{self, Parts};
 use crate::theory::overhang::Overhang;
 use crate::theory::penetration::{by_blocks, is_clear};
 use crate::theory::piece::{Piece, pieces_of};
@@ -35,13 +36,14 @@ pub(super) struct Solved<'a> {
     /// The first link between places that hold the beam, and those of all links from there on; what is beyond hangs by statics.
     held: usize,
     ends: Vec<Ends>,
-    overhangs: [Option<Span>; 2],
+    overhangs: [Vec<Span>; 2],
 }
 
 /// What a link does.
 #[expect(clippy::large_enum_variant, reason = "there is one at a time")]
 enum Course {
-    Hangs(Span),
+    /// By the spans between changes of the beam.
+    Hangs(Parts),
     /// Taylor coefficients of `h` and `v` about its left end.
     Pressed([Vec<f64>; 2]),
 }
@@ -54,11 +56,12 @@ pub(super) fn solve<'a>(
     stretches: &[[f64; 2]],
     sunk: Option<(&[Part], f64)>,
 ) -> Option<Solved<'a>> {
-    let mut beam = Beam { given, springs, decay: (0.25 * springs).sqrt().sqrt(), links: Vec::new() };
+    let mut beam = Beam { given, springs, links: Vec::new() };
     beam.join(stretches);
     if let Some((parts, factor)) = sunk {
         let pressed = beam.links.iter_mut().filter(|link| link.kind != Kind::Span);
         for (link, part) in pressed.zip(parts.iter().filter(|part| part.pressed)) {
+            let factor = factor * part.ground;
             link.drive = part.penetration.iter().map(|c| factor * c).collect();
         }
     }
@@ -120,9 +123,13 @@ impl<'a> Beam<'a> {
         let (left, right) = ((lo < i).then(|| &self.links[i - 1]), (i < hi).then(|| &self.links[i]));
         let sum = |of: fn(&Link) -> f64| left.map_or(0.0, of) + right.map_or(0.0, of);
         let [c, off, sigma] = right.map_or([0.0; 3], |link| [link.c, link.off, link.sigma]);
-        let mut w = sum(|link| link.w);
+        let joint = if lo < i && i < hi { self.joint(i) } else { 0.0 };
+        let mut w = sum(|link| link.w) + if joint.is_finite() { joint } else { PENALTY };
         let (mut theta, [force, couple]) = (sum(|link| link.a), self.acts(i));
         let (mut known, mut bend) = ([None; 4], if lo < i && i < hi { self.jump(i)[1] } else { 0.0 });
+        if joint == f64::INFINITY {
+            (known[2], bend) = (Some(0.0), 0.0);
+        }
         let mut pushed = force;
         let [depth, slope] = right.map_or_else(|| self.links[i - 1].base[1], |link| link.base[0]);
         if i == lo || i == hi {
@@ -173,7 +180,13 @@ impl<'a> Beam<'a> {
     fn refine(&self, lo: usize, rows: &mut [Row], ends: &mut [Ends]) {
         let last = rows.len() - 1;
         for (i, row) in rows.iter_mut().enumerate() {
-            let jump = if 0 < i && i < last { [self.jump(lo + i)[1], self.acts(lo + i)[0]] } else { [0.0; 2] };
+            let jump = if 0 < i && i < last {
+                let joint = self.joint(lo + i);
+                let turned = if joint.is_finite() { joint * ends[i - 1][1][2] } else { 0.0 };
+                [self.jump(lo + i)[1] + turned, self.acts(lo + i)[0]]
+            } else {
+                [0.0; 2]
+            };
             row.right = [3, 1].map(|j| {
                 let known = row.known[j].unwrap_or(0.0);
                 let left = if 0 < i { ends[i - 1][1][j] } else { known };
@@ -209,14 +222,14 @@ impl<'a> Beam<'a> {
             let to = (from + 1..hi).find(|i| self.built_in(*i).is_some()).unwrap_or(hi);
             ends.extend(self.chain(from, to)?);
         }
-        let mut overhangs = [None; 2];
+        let mut overhangs = [Vec::new(), Vec::new()];
         if hangs[0] {
             let beside = ends.first().map(|ends: &Ends| (&self.links[lo], 0, ends[0]));
-            overhangs[0] = Some(self.overhang(0, 1, beside)?);
+            overhangs[0] = self.overhang(0, 1, beside)?;
         }
         if hangs[1] {
             let beside = ends.last().map(|ends| (&self.links[hi - 1], 1, ends[1]));
-            overhangs[1] = Some(self.overhang(hi, 0, beside)?);
+            overhangs[1] = self.overhang(hi, 0, beside)?;
         }
         Some(Solved { beam: self, held: lo, ends, overhangs })
     }
@@ -237,16 +250,20 @@ impl<'a> Beam<'a> {
     }
 
     /// The first or the last link, of which an end is free, from what the beam is on the other side of where it is held.
-    fn overhang(&self, i: usize, held: usize, beside: Option<(&Link, usize, [f64; 4])>) -> Option<Span> {
+    fn overhang(&self, i: usize, held: usize, beside: Option<(&Link, usize, [f64; 4])>) -> Option<Vec<Span>> {
         let (link, node) = (&self.links[i], i + held);
         let beside = beside.map(|(link, side, [h, h1, ..])| [h, link.base[side][0] - h, link.base[side][1] - h1]);
         let slope = self.built_in(node).or(beside.map(|[_, _, slope]| slope))?;
+        let (joint, at_left) = (self.joint(node), held == 1);
+        let bent = Overhang::of(self.given, [link.lo, link.hi][held], at_left).moment;
+        let turned = if joint == 0.0 { 0.0 } else { joint * bent };
+        let slope = if at_left { slope - turned } else { slope + turned };
         let [more, _] = self.below(i, held);
         let (height, level) = match self.support(node) {
             Some(support) => (more, support.level),
             None => beside.map(|[h, level, _]| (h + more, level))?,
         };
-        Some(Span::overhang(self.given, link.end(held, height, level), slope, held == 1))
+        Some(divided::overhang(self.given, link.end(held, height, level), slope, at_left))
     }
 }
 
@@ -259,11 +276,11 @@ impl Solved<'_> {
     fn course(&self, i: usize) -> Option<Course> {
         let link = &self.beam.links[i];
         let Some(ends) = i.checked_sub(self.held).map(|i| self.ends.get(i)) else {
-            return Some(Course::Hangs(self.overhangs[0]?));
+            return Some(Course::Hangs(Parts::of(self.overhangs[0].clone())));
         };
-        let Some(ends) = ends else { return Some(Course::Hangs(self.overhangs[1]?)) };
+        let Some(ends) = ends else { return Some(Course::Hangs(Parts::of(self.overhangs[1].clone()))) };
         Some(match link.kind {
-            Kind::Span => Course::Hangs(self.beam.between(i, ends)),
+            Kind::Span => Course::Hangs(Parts::one(self.beam.between(i, ends))),
             Kind::Pressed => Course::Pressed(self.beam.taylor(link, ends[0])),
             Kind::Deep => Course::Pressed(self.beam.following(link)),
         })
@@ -274,11 +291,11 @@ impl Solved<'_> {
         let mut parts = Vec::new();
         for (i, link) in self.beam.links.iter().enumerate() {
             match self.course(i)? {
-                Course::Hangs(span) => self.hanging(&span, &mut parts),
+                Course::Hangs(spans) => spans.into_iter().for_each(|span| self.hanging(&span, &mut parts)),
                 Course::Pressed([h, deflection]) => {
                     let penetration = h.into_iter().map(|c| -c).collect();
                     let piece = Piece::of_part([link.lo, link.hi], link.lo, link.cells[0]);
-                    parts.push(Part { piece, pressed: true, deflection, penetration });
+                    parts.push(Part::new(self.beam.given, piece, true, [deflection, penetration]));
                 }
             }
         }
@@ -298,7 +315,7 @@ impl Solved<'_> {
             piece.deflection(given, &mut deflection);
             piece.clearance(given, &mut penetration);
             penetration.iter_mut().for_each(|c| *c = -*c);
-            Part { piece, pressed: false, deflection, penetration }
+            Part::new(given, piece, false, [deflection, penetration])
         }));
     }
 
@@ -317,31 +334,33 @@ impl Solved<'_> {
         let given = self.beam.given;
         let (mut taylor, mut pieces) = (vec![0.0; given.terms], Vec::new());
         for (i, link) in self.beam.links.iter().enumerate() {
-            let span = match self.course(i)? {
-                Course::Hangs(span) => span,
+            let spans = match self.course(i)? {
+                Course::Hangs(spans) => spans,
                 Course::Pressed([mut h, v]) if (v[0] + v[3]).is_finite() => {
                     see(&Piece::of_part([link.lo, link.hi], link.lo, link.cells[0]), true, &mut h);
                     continue;
                 }
                 Course::Pressed(_) => return None,
             };
-            if !(span.beam_a[0] + span.beam_a[3] + span.beam_b[0] + span.beam_b[3]).is_finite() {
-                return None;
-            }
-            let rounding = ROUNDING * span.beam_a[0].abs().max(span.beam_b[0].abs());
-            pieces.clear();
-            pieces_of(given, &span, &mut pieces);
-            for piece in &pieces {
-                by_blocks(given, piece, 0, |part| {
-                    if 1 < part.count() {
-                        return is_clear(given, part, -rounding, &mut taylor);
-                    }
-                    if part.lo < part.hi {
-                        part.clearance(given, &mut taylor);
-                        see(part, false, &mut taylor);
-                    }
-                    true
-                });
+            for span in spans {
+                if !(span.beam_a[0] + span.beam_a[3] + span.beam_b[0] + span.beam_b[3]).is_finite() {
+                    return None;
+                }
+                let rounding = ROUNDING * span.beam_a[0].abs().max(span.beam_b[0].abs());
+                pieces.clear();
+                pieces_of(given, &span, &mut pieces);
+                for piece in &pieces {
+                    by_blocks(given, piece, 0, |part| {
+                        if 1 < part.count() {
+                            return is_clear(given, part, -rounding, &mut taylor);
+                        }
+                        if part.lo < part.hi && 0.0 < given.cells[part.cell].ground {
+                            part.clearance(given, &mut taylor);
+                            see(part, false, &mut taylor);
+                        }
+                        true
+                    });
+                }
             }
         }
         Some(())

@@ -85,7 +85,8 @@ impl Exact {
         let sunk = |parts: &[Part], [from, to]: [f64; 2]| -> f64 {
             let first = parts.partition_point(|part| part.piece.lo < from);
             let inside = parts[first..].iter().take_while(|part| part.piece.hi <= to);
-            inside.filter(|part| part.pressed).map(|part| k * integral(&part.penetration, part.piece.width())).sum()
+            let force = |part: &Part| part.ground * k * integral(&part.penetration, part.piece.width());
+            inside.filter(|part| part.pressed).map(force).sum()
         };
         let contact = |stretch: &[f64; 2]| {
             let own = if of == Change::Stiffen { sunk(&springs.parts, *stretch) } else { 0.0 };
@@ -137,7 +138,9 @@ impl Exact {
 
     /// How an end of a stretch moves: not at all at an end of the beam or at a step of the ground.
     fn moved_end(&self, springs: &Springs, parts: &[Part], x: f64, is_right: bool) -> f64 {
-        let stands = |i: usize| i == 0 || i == self.given.cells.len() || self.given.breakpoints[i].step != 0.0;
+        let ends = |i: usize| self.given.cells_beside(i).iter().any(|&cell| self.given.cells[cell].ground <= 0.0);
+        let stands =
+            |i: usize| i == 0 || i == self.given.cells.len() || self.given.breakpoints[i].step != 0.0 || ends(i);
         if self.given.breakpoint_at(x).is_some_and(stands) {
             return 0.0;
         }
@@ -155,11 +158,12 @@ impl Exact {
             springs.parts.iter().map(part).sum()
         };
         let sunk = |part: &Part, x: f64| if part.pressed { part.sunk(x)[0] } else { 0.0 };
+        let pushed = |part: &Part, x: f64| part.ground * sunk(part, x);
         let at = |x: f64| springs.part(x, false).beam(x);
         match of {
-            Change::Ground => -springs.stiffness * sum(&sunk),
-            Change::Stiffen => 0.5 * springs.stiffness * sum(&|part, x| sunk(part, x) * sunk(part, x)),
-            Change::Unload => 0.5 * sum(&|part, x| part.beam(x)[2] * part.beam(x)[2]),
+            Change::Ground => -springs.stiffness * sum(&pushed),
+            Change::Stiffen => 0.5 * springs.stiffness * sum(&|part, x| pushed(part, x) * sunk(part, x)),
+            Change::Unload => 0.5 * sum(&|part, x| part.beam(x)[2] * part.beam(x)[2] / part.stiffness),
             Change::Uniform(more) => -more * sum(&|part, x| part.beam(x)[0]),
             Change::Force(x, more) => -more * at(x)[0],
             Change::Move(x, force) => -force * at(x)[1],

@@ -17,7 +17,7 @@ pub(super) fn stretches(scene: &Scene, springs: f64) -> Option<Vec<[f64; 2]>> {
         return None;
     }
     let points = Foundation::Polyline { points: shallowest(points) };
-    let coarse = Scene::new(scene.beam().clone(), scene.load().clone(), Some(points)).ok()?;
+    let coarse = scene.above_other(Some(points)).ok()?;
     let near = stretches(&coarse, springs);
     let (_, found) = search_with(PiecewiseScene::new(&coarse), springs, near.as_slice())?;
     found.settled.then_some(found.stretches)

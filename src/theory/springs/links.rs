@@ -1,31 +1,32 @@
 //! A beam on springs that press on given stretches: a linear problem, by links that are joined by two numbers at each node.
 //!
-//! Over `EI`, with the clearance `h = g − v`, the moment `M = −v''`, the shear force `V = M'` and `K = k/EI = 4λ⁴`:
+//! Over `EI₀`, with `e = EI/EI₀`, the clearance `h = g − v`, the moment `M = −e v''`, the shear force `V = M'` and `K = k/EI = 4λ⁴`, each of
+//! which is one number on a link:
 //!
 //! ```text
-//! span              v'''' = q                 between supports and zones, in closed form as on rigid ground
-//! pressed link      h'''' + K h = g'''' − q   a Taylor polynomial, over a length of at most 1/λ
-//! deep in a zone    h = −Σ (−1)^m F^{(4m)}/K^{m+1},  F = q − g'''': nothing that grows or decays is left 44/λ away from its ends
+//! span              e v'''' = q                 between supports, zones and changes of the beam, in closed form as on rigid ground
+//! pressed link      h'''' + K h = g'''' − q/e   a Taylor polynomial, over a length of at most 1/λ
+//! deep in a zone    h = −Σ (−1)^m F^{(4m)}/K^{m+1},  F = q/e − g'''': nothing that grows or decays is left 44/λ away from its ends
 //! ```
 //!
 //! What `h` and `M` are at both ends of a link says what `h'` and `V` are there:
 //!
 //! ```text
 //! h'_a = −(c + η) h_a + c h_b − w M_a − ω M_b + …      V_a = a h_a + σ h_b − (c + η) M_a + c M_b + …      mirrored at b
-//!                   c      η    w      ω      a    σ
-//! span              1/ℓ    0    ℓ/3    ℓ/6    0    0
+//!                   c      η    w       ω       a      σ
+//! span              1/ℓ    0    ℓ/3e    ℓ/6e    0      0
 //! pressed link      from its solutions without load, of which no two are subtracted from each other
-//! deep in a zone    0      λ    1/2λ   0      2λ³  0
+//! deep in a zone    0      λ    1/2λe   0       2λ³e   0
 //! ```
+//!
+//! In a joint of the flexibility `w_j` the slope `h'` grows by `w_j M`; in a hinge `M = 0`.
 
 use crate::theory::piece::derivatives;
-use crate::theory::piecewise::{AtSupport, PiecewiseScene};
+use crate::theory::piecewise::{AtSupport, Cell, PiecewiseScene};
 use crate::theory::span::{End, EndCondition, fixed_end_of_load};
 
 /// Coefficients of a pressed polynomial over so many decay lengths `1/λ` at most: the next ones are less than `4ʳ ℓ⁴ʳ/(4r)! < 10⁻²⁰` of it.
 const PRESSED_TERMS: [(f64, usize); 3] = [(1.0 / 64.0, 12), (0.25, 16), (f64::INFINITY, 28)];
-/// Decay lengths `1/λ` from an end of a zone to where its effect is below rounding: `e⁻⁴⁴ < 10⁻¹⁹`.
-const REACH: f64 = 44.0;
 
 /// What a link is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -61,7 +62,7 @@ pub(super) struct Link {
 }
 
 impl Link {
-    fn new([lo, hi]: [f64; 2], cell: usize, kind: Kind) -> Self {
+    pub(super) fn new([lo, hi]: [f64; 2], cell: usize, kind: Kind) -> Self {
         let (base, own) = ([[0.0; 2]; 2], [[0.0; 2]; 2]);
         let [c, eta, w, off, a, sigma] = [0.0; 6];
         Self { lo, hi, cells: [cell; 2], kind, drive: Vec::new(), base, c, eta, w, off, a, sigma, own }
@@ -92,60 +93,17 @@ impl Link {
 
 pub(super) struct Beam<'a> {
     pub(super) given: &'a PiecewiseScene,
-    /// `K`.
+    /// `k/EI₀` where the ground is stiffest.
     pub(super) springs: f64,
-    /// `λ`.
-    pub(super) decay: f64,
     pub(super) links: Vec<Link>,
 }
 
 impl Beam<'_> {
-    /// Its links, from left to right.
-    pub(super) fn join(&mut self, stretches: &[[f64; 2]]) {
-        let mut at = 0.0;
-        for &[from, to] in stretches {
-            self.hang([at, from]);
-            for i in self.given.cell_from(from)..=self.given.cell_to(to) {
-                let cell = &self.given.cells[i];
-                self.press([cell.lo.max(from), cell.hi.min(to)], i);
-            }
-            at = to;
-        }
-        self.hang([at, self.given.length]);
-    }
-
-    /// A part of the beam where nothing presses: a span between two supports each.
-    fn hang(&mut self, [from, to]: [f64; 2]) {
-        let (given, mut at) = (self.given, from);
-        let first = given.supports.partition_point(|support| given.breakpoints[support.breakpoint].x <= from);
-        let inside = given.supports[first..].iter().map(|support| given.breakpoints[support.breakpoint].x);
-        for end in inside.take_while(|x| *x < to).chain([to]) {
-            if at < end {
-                let cells = [given.cell_from(at), given.cell_to(end)];
-                self.links.push(Link { cells, ..Link::new([at, end], cells[0], Kind::Span) });
-            }
-            at = end;
-        }
-    }
-
-    /// A part of a cell where the ground presses.
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 111 parts")]
-    fn press(&mut self, [lo, hi]: [f64; 2], cell: usize) {
-        let mut push = |[lo, hi]: [f64; 2], parts: u32, kind| {
-            let end = |k: u32| if k < parts { lo + (hi - lo) * (f64::from(k) / f64::from(parts)) } else { hi };
-            self.links.extend((0..parts).map(|k| Link::new([end(k), end(k + 1)], cell, kind)));
-        };
-        if hi <= lo {
-            return;
-        }
-        let lengths = (hi - lo) * self.decay;
-        if lengths <= 2.5 * REACH {
-            return push([lo, hi], lengths.ceil().max(1.0) as u32, Kind::Pressed);
-        }
-        let (a, b) = (lo + REACH / self.decay, hi - REACH / self.decay);
-        push([lo, a], REACH as u32, Kind::Pressed);
-        push([a, b], 1, Kind::Deep);
-        push([b, hi], REACH as u32, Kind::Pressed);
+    /// `K` and `λ` in a cell.
+    pub(super) fn rates(&self, cell: usize) -> (f64, f64) {
+        let Cell { ground, stiffness, .. } = self.given.cells[cell];
+        let springs = self.springs * ground / stiffness;
+        (springs, (0.25 * springs).sqrt().sqrt())
     }
 
     /// The breakpoint of the scene at node `i`, the left end of link `i`.
@@ -163,6 +121,11 @@ impl Beam<'_> {
         at.map_or([0.0; 2], |at| [-at.force, -at.couple])
     }
 
+    /// The flexibility of a joint at node `i`, zero where there is none.
+    pub(super) fn joint(&self, i: usize) -> f64 {
+        self.breakpoint(i).map_or(0.0, |breakpoint| self.given.breakpoints[breakpoint].joint)
+    }
+
     pub(super) fn support(&self, i: usize) -> Option<&AtSupport> {
         Some(&self.given.supports[self.given.support_at(self.breakpoint(i)?)?])
     }
@@ -177,11 +140,6 @@ impl Beam<'_> {
         self.given.derivatives(link.cells[side], [link.lo, link.hi][side])
     }
 
-    fn ground(&self, link: &Link, side: usize) -> [f64; 2] {
-        let [depth, slope, ..] = self.profile(link, side);
-        [depth, slope]
-    }
-
     /// By what depth and slope of the ground grow at node `i` from one link to the next: nothing on a smooth piece of it.
     fn broken(&self, i: usize) -> [f64; 2] {
         let shape = |cell: usize| self.given.cells[cell].shape;
@@ -193,16 +151,33 @@ impl Beam<'_> {
         }
     }
 
-    /// From what `h` and `h'` count at an end of link `i`.
-    fn base(&self, i: usize, side: usize) -> [f64; 2] {
+    /// The cell from whose ground `h` and `h'` count at an end of link `i`; none at a support that a span ends at. Where two spans meet it is
+    /// that of the left one.
+    fn base_cell(&self, i: usize, side: usize) -> Option<usize> {
         let link = &self.links[i];
         let beside = if side == 0 { i.checked_sub(1) } else { Some(i + 1) };
-        match (self.support(i + side), beside.and_then(|beside| self.links.get(beside))) {
-            _ if link.kind != Kind::Span => self.ground(link, side),
-            (Some(support), _) => [support.level, 0.0],
-            (None, Some(beside)) => self.ground(beside, 1 - side),
+        match beside.and_then(|beside| self.links.get(beside)) {
+            _ if link.kind != Kind::Span => Some(link.cells[side]),
+            Some(beside) if self.support(i + side).is_none() => {
+                Some(if side == 1 && beside.kind == Kind::Span { link.cells[1] } else { beside.cells[1 - side] })
+            }
+            _ => None,
+        }
+    }
+
+    /// From what `h` and `h'` count at an end of link `i`.
+    fn base(&self, i: usize, side: usize) -> [f64; 2] {
+        let x = [self.links[i].lo, self.links[i].hi][side];
+        match (self.base_cell(i, side), self.support(i + side)) {
+            (Some(cell), _) => self.ground(cell, x),
+            (None, Some(support)) => [support.level, 0.0],
             (None, None) => [0.0; 2],
         }
+    }
+
+    fn ground(&self, cell: usize, x: f64) -> [f64; 2] {
+        let [depth, slope, ..] = self.given.derivatives(cell, x);
+        [depth, slope]
     }
 
     /// By what `h` and `h'` of the ground below an end of link `i` are more than those that count from its base.
@@ -212,8 +187,11 @@ impl Beam<'_> {
             return [0.0; 2];
         }
         if self.support(i + side).is_some() {
-            let ([depth, slope], [base, incline]) = (self.ground(link, side), link.base[side]);
+            let ([depth, slope, ..], [base, incline]) = (self.profile(link, side), link.base[side]);
             return [depth - base, slope - incline];
+        }
+        if self.base_cell(i, side) == Some(link.cells[side]) {
+            return [0.0; 2];
         }
         let sign = if side == 0 { 1.0 } else { -1.0 };
         self.broken(i + side).map(|jump| sign * jump)
@@ -245,27 +223,28 @@ impl Beam<'_> {
         let link = &self.links[i];
         let ([from, to], l) = ([0, 1].map(|side| link.end(side, 0.0, 0.0)), link.hi - link.lo);
         let ([g, k], [r, s]) = fixed_end_of_load(self.given, &from, &to);
-        let shape = |i: Option<usize>| Some(&self.given.shapes[self.given.cells[self.links.get(i?)?.cells[0]].shape]);
-        let (left, right) = (shape(i.checked_sub(1)), shape(Some(i + 1)));
-        let on_ground = self.support(i).is_none() && self.support(i + 1).is_none();
+        let flex = l / self.given.cells[link.cells[0]].stiffness;
+        let [left, right] =
+            [0, 1].map(|side| Some(&self.given.shapes[self.given.cells[self.base_cell(i, side)?].shape]));
         let [[depth, slope], [next, last]] = link.base;
-        let [turn_a, turn_b] = match left.zip(right).filter(|(left, right)| on_ground && std::ptr::eq(*left, *right)) {
+        let [turn_a, turn_b] = match left.zip(right).filter(|(left, right)| left == right) {
             Some((shape, _)) if shape.is_one_series_over(l) => {
                 [shape.bow(link.lo, l, false), shape.bow(link.hi, -l, false)]
             }
             _ => [(next - depth) / l - slope, last - (next - depth) / l],
         };
-        let own = [[-turn_a - l * (g / 3.0 + k / 6.0), r], [turn_b + l * (g / 6.0 + k / 3.0), -s]];
-        Link { c: 1.0 / l, w: l / 3.0, off: l / 6.0, own, ..link.clone() }
+        let own = [[-turn_a - flex * (g / 3.0 + k / 6.0), r], [turn_b + flex * (g / 6.0 + k / 3.0), -s]];
+        Link { c: 1.0 / l, w: flex / 3.0, off: flex / 6.0, own, ..link.clone() }
     }
 
-    /// With `W_m = Σ (−K)^r ℓ^(4r+m)/(4r+m)!`, of which each is the derivative of the next one, a link without load has
+    /// With `W_m = Σ (−K)^r ℓ^(4r+m)/(4r+m)!`, of which each is the derivative of the next one, a link without load has, `M` and `V` over `e`,
     ///
     /// ```text
     /// h_b = W₀ h_a + W₁ h'_a + W₂ M_a + W₃ V_a          M_b = −K (W₂ h_a + W₃ h'_a) + W₀ M_a + W₁ V_a
     /// ```
     fn pressed(&self, link: &Link) -> Link {
-        let (l, k) = (link.hi - link.lo, self.springs);
+        let (l, (k, _)) = (link.hi - link.lo, self.rates(link.cells[0]));
+        let e = self.given.cells[link.cells[0]].stiffness;
         // W_m without its first term, and that.
         let wave = |m: u32| {
             let first = (1..=m).fold(1.0, |product, n| product * l / f64::from(n));
@@ -286,16 +265,19 @@ impl Beam<'_> {
         let (turn, shear) = ((w3 * -m - w1 * h) * inverse, -(k * w3 * h + w1 * -m) * inverse);
         let far = [w0 * turn + w2 * shear + h1, w0 * shear - k * w2 * turn - n];
         let eta = (w1 * less + k * w2 * w3) * inverse;
-        Link { c: w1 * inverse, eta, w, off, a: k * w, sigma: k * off, own: [[turn, shear], far], ..link.clone() }
+        let own = [[turn, e * shear], [far[0], e * far[1]]];
+        let (a, sigma) = (e * (k * w), e * (k * off));
+        Link { c: w1 * inverse, eta, w: w / e, off: off / e, a, sigma, own, ..link.clone() }
     }
 
     /// Nothing grows into it from either end.
     fn deep(&self, link: &Link) -> Link {
-        let l = self.decay;
-        let (eta, w, a) = (l, 0.5 / l, 2.0 * l * l * l);
+        let (_, l) = self.rates(link.cells[0]);
+        let e = self.given.cells[link.cells[0]].stiffness;
+        let (eta, w, a) = (l, 0.5 / l / e, e * (2.0 * l * l * l));
         let [h, v] = self.following(link).map(|taylor| [0.0, link.hi - link.lo].map(|s| derivatives(&taylor, s)));
         let own = |i: usize, sign: f64| {
-            let ([h, h1, ..], [_, _, m, n]) = (h[i], v[i].map(|c| -c));
+            let ([h, h1, ..], [_, _, m, n]) = (h[i], v[i].map(|c| -c * e));
             [h1 + sign * (eta * h + w * m), n - sign * (a * h - eta * m)]
         };
         Link { eta, w, a, own: [own(0, 1.0), own(1, -1.0)], ..link.clone() }
@@ -304,18 +286,21 @@ impl Beam<'_> {
     /// Taylor coefficients of `h` and `v` of a pressed link about its left end, from `h, h', M, V` there.
     #[expect(clippy::cast_precision_loss, reason = "an order is a small number")]
     pub(super) fn taylor(&self, link: &Link, [h, h1, moment, shear]: [f64; 4]) -> [Vec<f64>; 2] {
-        let lengths = (link.hi - link.lo) * self.decay;
+        let (springs, decay) = self.rates(link.cells[0]);
+        let lengths = (link.hi - link.lo) * decay;
         let terms = PRESSED_TERMS.iter().find(|(most, _)| lengths <= *most).map_or(0, |(_, terms)| *terms);
         let terms = terms.max(self.given.terms);
         let (mut clear, mut deflection) = (vec![0.0; terms], vec![0.0; terms]);
         let cell = link.cells[0];
+        let e = self.given.cells[cell].stiffness;
+        let (bend, third) = (moment / 2.0 / e, shear / 6.0 / e);
         self.given.profile(cell, link.lo, &mut clear);
-        deflection[..4].copy_from_slice(&[clear[0] - h, clear[1] - h1, -moment / 2.0, -shear / 6.0]);
+        deflection[..4].copy_from_slice(&[clear[0] - h, clear[1] - h1, -bend, -third]);
         (clear[0], clear[1]) = (h, h1);
-        (clear[2], clear[3]) = (clear[2] + moment / 2.0, clear[3] + shear / 6.0);
+        (clear[2], clear[3]) = (clear[2] + bend, clear[3] + third);
         let load = [self.given.load(cell, link.lo), self.given.cells[cell].load_slope];
         for n in 0..terms - 4 {
-            let drive = load.get(n).unwrap_or(&0.0) + link.drive.get(n).unwrap_or(&0.0) + self.springs * clear[n];
+            let drive = (load.get(n).unwrap_or(&0.0) + link.drive.get(n).unwrap_or(&0.0)) / e + springs * clear[n];
             deflection[n + 4] = drive / ((n + 1) * (n + 2) * (n + 3) * (n + 4)) as f64;
             clear[n + 4] -= deflection[n + 4];
         }
@@ -325,18 +310,19 @@ impl Beam<'_> {
     /// The particular polynomials deep in a zone, `h` and `v` about its left end.
     pub(super) fn following(&self, link: &Link) -> [Vec<f64>; 2] {
         let (cell, size) = (link.cells[0], self.given.terms.max(link.drive.len()));
+        let ((springs, _), e) = (self.rates(cell), self.given.cells[cell].stiffness);
         let mut profile = vec![0.0; size];
         self.given.profile(cell, link.lo, &mut profile);
         let mut drive = fourth(&profile);
         drive.resize(size, 0.0);
-        drive.iter_mut().zip(&link.drive).for_each(|(sum, c)| *sum -= c);
-        drive[0] -= self.given.load(cell, link.lo);
-        drive[1] -= self.given.cells[cell].load_slope;
-        let (mut clear, mut unit) = (vec![0.0; size], 1.0 / self.springs);
+        drive.iter_mut().zip(&link.drive).for_each(|(sum, c)| *sum -= c / e);
+        drive[0] -= self.given.load(cell, link.lo) / e;
+        drive[1] -= self.given.cells[cell].load_slope / e;
+        let (mut clear, mut unit) = (vec![0.0; size], 1.0 / springs);
         while !drive.is_empty() {
             clear.iter_mut().zip(&drive).for_each(|(sum, c)| *sum += unit * c);
             drive = fourth(&drive);
-            unit /= -self.springs;
+            unit /= -springs;
         }
         let deflection = profile.iter().zip(&clear).map(|(g, h)| g - h).collect();
         [clear, deflection]

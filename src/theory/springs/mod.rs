@@ -16,12 +16,14 @@ mod bearings;
 mod chain;
 mod change;
 mod coarse;
+mod join;
 mod links;
 mod search;
 
 pub(super) use self::answer::{Springs, exact};
 use self::search::{Work, search};
 use super::piece::{Piece, derivatives};
+use super::piecewise::{Cell, PiecewiseScene};
 
 /// A part of the beam with its polynomials about the anchor of its piece.
 #[derive(Debug, Clone)]
@@ -29,6 +31,10 @@ pub(in crate::theory) struct Part {
     pub(in crate::theory) piece: Piece,
     /// Whether the springs press on it.
     pub(in crate::theory) pressed: bool,
+    /// How stiff they are over the stiffest; zero where there are none.
+    pub(in crate::theory) ground: f64,
+    /// `e`.
+    pub(in crate::theory) stiffness: f64,
     /// Taylor coefficients of `v`.
     pub(in crate::theory) deflection: Vec<f64>,
     /// Taylor coefficients of `w = v − g`.
@@ -36,9 +42,15 @@ pub(in crate::theory) struct Part {
 }
 
 impl Part {
-    /// `v, v', v'', v'''` at a place of it.
+    fn new(given: &PiecewiseScene, piece: Piece, pressed: bool, [deflection, penetration]: [Vec<f64>; 2]) -> Self {
+        let Cell { ground, stiffness, .. } = given.cells[piece.cell];
+        Self { piece, pressed, ground, stiffness, deflection, penetration }
+    }
+
+    /// `v, v', e v'', e v'''` at a place of it.
     pub(in crate::theory) fn beam(&self, x: f64) -> [f64; 4] {
-        derivatives(&self.deflection, x - self.piece.anchor)
+        let [v, v1, v2, v3] = derivatives(&self.deflection, x - self.piece.anchor);
+        [v, v1, v2 * self.stiffness, v3 * self.stiffness]
     }
 
     /// `w, w', w'', w'''` at a place of it.
@@ -53,7 +65,7 @@ fn part_at(parts: &[Part], x: f64, right: bool) -> &Part {
     &parts[i.min(parts.len() - 1)]
 }
 
-/// `v, v', v'', v'''` before a place between two parts and behind it, zero where there is no beam.
+/// `v, v', e v'', e v'''` before a place between two parts and behind it, zero where there is no beam.
 fn beside(parts: &[Part], x: f64) -> [[f64; 4]; 2] {
     let i = parts.partition_point(|part| part.piece.lo < x);
     [i.checked_sub(1), Some(i)].map(|i| i.and_then(|i| parts.get(i)).map_or([0.0; 4], |part| part.beam(x)))

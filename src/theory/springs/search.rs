@@ -82,9 +82,21 @@ pub(super) fn search(
             return found;
         }
     }
-    let stretches = vec![[0.0, given.length]];
+    let stretches = grounded(given);
     let parts = solve(given, springs, &stretches, None)?.parts()?;
     Some(StretchSet { parts, stretches, solves: work.solves, settled: false })
+}
+
+/// The stretches of the beam with ground below them.
+fn grounded(given: &PiecewiseScene) -> Vec<[f64; 2]> {
+    let mut stretches: Vec<[f64; 2]> = Vec::new();
+    for cell in given.cells.iter().filter(|cell| 0.0 < cell.ground) {
+        match stretches.last_mut() {
+            Some(last) if cell.lo <= last[1] => last[1] = cell.hi,
+            _ => stretches.push([cell.lo, cell.hi]),
+        }
+    }
+    stretches
 }
 
 /// What is found where a set settles. What was done in vain leaves the other ways all of the work.
@@ -108,7 +120,8 @@ fn beginning_near(given: &PiecewiseScene, springs: f64, near: &[[f64; 2]], work:
 }
 
 fn stiffening(given: &PiecewiseScene, springs: f64, way: &Way, work: &mut Work) -> Option<StretchSet> {
-    let mut stretches = vec![[0.0, given.length]];
+    let whole = grounded(given);
+    let mut stretches = whole.clone();
     let square = given.length * given.length;
     let mut k = (1.0 / (square * square)).min(springs);
     loop {
@@ -126,7 +139,7 @@ fn stiffening(given: &PiecewiseScene, springs: f64, way: &Way, work: &mut Work) 
         if way.roughly && !settled {
             return None;
         }
-        let is_whole = matches!(stretches[..], [[from, to]] if from <= 0.0 && given.length <= to);
+        let is_whole = distance(&stretches, &whole) <= 0.0;
         k = (k * if is_whole { way.at_first } else { way.factor }).min(springs);
     }
 }

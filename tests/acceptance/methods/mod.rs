@@ -3,6 +3,7 @@
 mod closed;
 mod digits;
 mod exact;
+mod general;
 mod matrices;
 mod multigrid;
 mod nodal_loads;

@@ -11,9 +11,9 @@ const ROUNDING: f64 = 1e-13;
 fn resultants(beam: &Beam, load: &Load, intervals: usize) -> (f64, f64) {
     let scene = Scene::new(beam.clone(), load.clone(), None).expect("a scene");
     let grid = Grid::uniform(&scene, intervals).expect("enough intervals");
-    let forces = grid.nodal_loads(load);
+    let forces = grid.nodal_loads(&scene);
     let mut few = [f64::NAN; 4];
-    grid.loads(load, intervals - 1, &mut few);
+    grid.loads(&scene, intervals - 1, &mut few);
     let expected = [forces[intervals - 1], forces[intervals], 0.0, 0.0];
     assert_eq!(few.map(f64::to_bits), expected.map(f64::to_bits), "the last two nodes, and none behind");
     assert_eq!(forces.len(), intervals + 1, "a load on every node");
@@ -65,7 +65,7 @@ fn nodal_loads_are_those_of_the_paper_and_of_the_lever() {
     let beam = Beam::new(9.0, 1.0).expect("a beam");
     let of = |load: &Load, intervals| {
         let scene = Scene::new(beam.clone(), load.clone(), None).expect("a scene");
-        Grid::uniform(&scene, intervals).expect("enough intervals").nodal_loads(load)
+        Grid::uniform(&scene, intervals).expect("enough intervals").nodal_loads(&scene)
     };
     let uniform = of(&Load::uniform_on(&beam, 2.0).expect("a load"), 9);
     assert!(apart(&uniform, &[1.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 1.0]) <= 0.0, "q_i = q₀Δ: {uniform:?}");

@@ -143,8 +143,8 @@ fn what_is_not_held_is_told() {
         scene(10.0, supports, load, ground).scaled().expect_err("nothing holds it").to_string()
     };
     let at = |x: f64| vec![Support::simple(x)];
-    insta::assert_snapshot!(told(vec![], &[[0.0, 5.0], [10.0, -0.1]], GROUND), @"the loads have their resultant 4.9 at x = -0.2041, outside the ground (0 … 10): the beam turns over its left end");
-    insta::assert_snapshot!(told(vec![], &[[10.0, 5.0], [0.0, -0.1]], GROUND), @"the loads have their resultant 4.9 at x = 10.2, outside the ground (0 … 10): the beam turns over its right end");
+    insta::assert_snapshot!(told(vec![], &[[0.0, 5.0], [10.0, -0.1]], GROUND), @"the loads have their resultant 4.9 at x = -0.2041, outside the ground (0 … 10): the beam turns over the left end of the ground");
+    insta::assert_snapshot!(told(vec![], &[[10.0, 5.0], [0.0, -0.1]], GROUND), @"the loads have their resultant 4.9 at x = 10.2, outside the ground (0 … 10): the beam turns over the right end of the ground");
     insta::assert_snapshot!(told(vec![], &[[2.0, -2.0]], GROUND), @"the loads pull upwards by 2: nothing holds the beam down");
     insta::assert_snapshot!(told(vec![], &[[2.0, -2.0], [4.0, 2.0]], GROUND), @"the loads have no resultant, but a couple of 4: nothing keeps the beam from turning");
     insta::assert_snapshot!(told(vec![], &[], GROUND), @"no load presses on the beam: any position is one of rest");

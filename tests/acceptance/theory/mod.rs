@@ -12,6 +12,7 @@ mod elastic;
 mod explain;
 mod general;
 mod giving;
+mod ground;
 mod hinges;
 mod level;
 mod long;

@@ -363,7 +363,7 @@ fn the_border_is_no_position_of_rest() {
     for at in [0.0, 4.0] {
         let scene = Given::lying(4.0, 2.5, 10.0, &[(at, 3.0)]).scene();
         let error = solve(&scene).expect_err("nothing carries it").to_string();
-        assert!(error.contains(&format!("resultant 3 at x = {at},")) && error.contains("ground that gives"), "{error}");
+        assert!(error.contains(&format!("resultant 3 at x = {at},")) && error.contains("on what gives"), "{error}");
     }
 }
 

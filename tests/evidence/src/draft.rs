@@ -27,8 +27,8 @@ pub struct Draft {
     pub couple: Vec<CoupleLoad>,
     /// The foundation, if there is one.
     pub ground: Option<Foundation>,
-    /// Stiffness of the foundation, if it gives.
-    pub soil: Option<f64>,
+    /// Stiffness of the foundation from each place on; without any it is rigid.
+    pub soil: Vec<[f64; 2]>,
     /// [`None`] for the supports that are there if nothing is said of them.
     pub supports: Option<Vec<Support>>,
     /// The own shape, if the beam has one.
@@ -96,7 +96,12 @@ impl Draft {
     ///
     /// What is wrong with its numbers.
     pub fn scene(&self) -> Result<Scene, SceneError> {
-        Scene::above(self.beam()?, self.load()?, self.ground.clone(), self.soil)
+        let (beam, load, ground) = (self.beam()?, self.load()?, self.ground.clone());
+        match &self.soil[..] {
+            [] => Scene::new(beam, load, ground),
+            [[0.0, k]] => Scene::above(beam, load, ground, Some(*k)),
+            steps => Scene::above_steps(beam, load, ground, steps.to_vec()),
+        }
     }
 
     /// The loads, whatever the beam is held by.
@@ -135,8 +140,9 @@ impl Draft {
     /// The scene file.
     #[must_use]
     pub fn text(&self) -> String {
+        let bending = if self.steps.is_empty() { number(self.stiffness) } else { in_steps(&self.steps) };
         let Self { length, uniform, linear, point, couple, ground, soil, supports, shape, .. } = self;
-        let mut text = format!("[beam]\nlength = {}\nbending_stiffness = {}\n", number(*length), self.bending());
+        let mut text = format!("[beam]\nlength = {}\nbending_stiffness = {}\n", number(*length), bending);
         // Writing to a string does not fail.
         if !self.joints.is_empty() {
             let _ = writeln!(text, "joints = [{}]", self.joints.iter().map(joint).collect::<Vec<_>>().join(", "));
@@ -163,19 +169,10 @@ impl Draft {
         if let Some(ground) = ground {
             let _ = writeln!(text, "[foundation]\n{}", keys(ground));
         }
-        if let Some(soil) = soil.filter(|_| ground.is_some()) {
-            let _ = writeln!(text, "stiffness = {}", number(soil));
+        if ground.is_some() && !soil.is_empty() {
+            let _ = writeln!(text, "stiffness = {}", in_steps(soil));
         }
         text
-    }
-
-    /// The value of `beam.bending_stiffness`.
-    fn bending(&self) -> String {
-        let step = |[x, stiffness]: &[f64; 2]| format!("[{}, {}]", number(*x), number(*stiffness));
-        match &self.steps[..] {
-            [] => number(self.stiffness),
-            steps => format!("{{ steps = [{}] }}", steps.iter().map(step).collect::<Vec<_>>().join(", ")),
-        }
     }
 
     /// The same from right to left.
@@ -186,12 +183,9 @@ impl Draft {
         let linear =
             |q: &LinearLoad| LinearLoad { from: length - q.to, to: length - q.from, start: q.end, end: q.start };
         let support = |s: &Support| Support { at: length - s.at, slope: s.slope.map(|slope| -slope), ..*s };
-        let ends = self.steps.iter().skip(1).map(|step| step[0]).chain([length]);
-        let mut steps: Vec<[f64; 2]> =
-            self.steps.iter().zip(ends).map(|([_, stiffness], end)| [length - end, *stiffness]).collect();
-        steps.reverse();
         Self {
-            steps,
+            steps: back(&self.steps, length),
+            soil: back(&self.soil, length),
             joints: self.joints.iter().map(|j| Joint { at: length - j.at, ..*j }).collect(),
             couple: self.couple.iter().map(|c| CoupleLoad { at: length - c.at, moment: -c.moment }).collect(),
             linear: self.linear.iter().map(linear).collect(),
@@ -237,7 +231,7 @@ impl Draft {
                 .iter()
                 .map(|c| CoupleLoad { at: c.at * length, moment: c.moment * (force * length) })
                 .collect(),
-            soil: self.soil.map(|k| k * (density / depth)),
+            soil: self.soil.iter().map(|[x, k]| [x * length, k * (density / depth)]).collect(),
             uniform: self.uniform * density,
             linear: self.linear.iter().map(linear).collect(),
             point: self.point.iter().map(|p| PointLoad { at: p.at * length, force: p.force * force }).collect(),
@@ -261,7 +255,10 @@ impl From<&Scene> for Draft {
             point: load.point().to_vec(),
             couple: load.couple().to_vec(),
             ground: scene.foundation().cloned(),
-            soil: scene.ground_stiffness(),
+            soil: match scene.ground_steps() {
+                [] => scene.ground_stiffness().map(|k| [0.0, k]).into_iter().collect(),
+                steps => steps.to_vec(),
+            },
             supports: Some(beam.supports_as_given()),
             shape: beam.shape().cloned(),
         }
@@ -329,6 +326,23 @@ fn keys(profile: &Foundation) -> String {
             format!("points = [{}]", points.join(", "))
         }
     }
+}
+
+/// A number, or steps.
+fn in_steps(steps: &[[f64; 2]]) -> String {
+    let step = |[x, value]: &[f64; 2]| format!("[{}, {}]", number(*x), number(*value));
+    match steps {
+        [[0.0, value]] => number(*value),
+        steps => format!("{{ steps = [{}] }}", steps.iter().map(step).collect::<Vec<_>>().join(", ")),
+    }
+}
+
+/// Steps from right to left.
+fn back(steps: &[[f64; 2]], length: f64) -> Vec<[f64; 2]> {
+    let ends = steps.iter().skip(1).map(|step| step[0]).chain([length]);
+    let mut back: Vec<[f64; 2]> = steps.iter().zip(ends).map(|([_, value], end)| [length - end, *value]).collect();
+    back.reverse();
+    back
 }
 
 /// An entry of `beam.joints`.

@@ -64,9 +64,10 @@ impl OnSprings<'_> {
     /// Which stretches are walked along, in the order in which this is done. In each run of short stretches the first node at which the
     /// number is known is the start for all of them, or else the left end.
     fn walks(&self, is_known: impl Fn(usize) -> bool) -> Vec<(usize, Towards)> {
-        let most = SHORT * self.length().lo();
-        let is_short =
-            |i: &usize| self.is_pressed(*i, false) && self.stretches[*i].to - self.stretches[*i].from <= most;
+        let is_short = |i: &usize| {
+            let width = self.stretches[*i].to - self.stretches[*i].from;
+            self.is_pressed(*i, false) && width <= SHORT * self.length(*i).lo()
+        };
         let (mut walks, mut from) = (Vec::new(), 0);
         while from < self.stretches.len() {
             let to = (from..self.stretches.len()).find(|i| !is_short(i)).unwrap_or(self.stretches.len());
@@ -78,11 +79,16 @@ impl OnSprings<'_> {
         walks
     }
 
+    /// Whether a support prescribes `v̂` at a node, or a joint lets its slope jump.
+    fn is_held_or_turns(&self, node: usize) -> bool {
+        self.enclosed.support(self.x(node)).is_some() || self.enclosed.joint(self.x(node)).is_some()
+    }
+
     /// Walks along short stretches for `v̂`.
     pub(super) fn walk(&mut self) -> Vec<Option<Walk>> {
         self.reached = vec![None; self.stretches.len() + 1];
         let mut walked = vec![None; self.stretches.len()];
-        for (i, towards) in self.walks(|node| self.enclosed.support(self.x(node)).is_some()) {
+        for (i, towards) in self.walks(|node| self.is_held_or_turns(node)) {
             let (start, to_the_right) = (i + usize::from(towards == Towards::Left), towards == Towards::Right);
             let (width, t) = self.polynomial(i);
             let Some([w, slope]) = self.sunk(start, !to_the_right) else { continue };
@@ -101,7 +107,8 @@ impl OnSprings<'_> {
         let is_known = |node: usize| {
             let is_end = node == 0 || node == spans.len();
             let overhangs = || [true, false].into_iter().any(|left| self.overhanging(spans, node, left).is_some());
-            is_end && !is_built_in(self, node) || overhangs()
+            let is_hinge = self.enclosed.joint(self.x(node)) == Some(0.0);
+            is_end && !is_built_in(self, node) || is_hinge || overhangs()
         };
         let walks = self.walks(is_known);
         self.sheared = vec![None; spans.len() + 1];

@@ -84,7 +84,14 @@ pub(super) fn general(random: &mut Random) -> Draft {
                 }
                 draft.supports = Some(supports);
             }
-            _ => draft.soil = Some(stiffness(random, bending / (l * l * l * l) * 1e3)),
+            _ => {
+                let unit = bending / (l * l * l * l) * 1e3;
+                draft.soil = vec![[0.0, stiffness(random, unit)]];
+                for _ in 0..random.below(3) {
+                    let (x, k) = (place(random, &draft), stiffness(random, unit));
+                    draft.soil.push([x, if random.once_in(4) { 0.0 } else { k }]);
+                }
+            }
         }
     }
     draft
@@ -94,18 +101,23 @@ pub(super) fn general(random: &mut Random) -> Draft {
 fn is_bad(draft: &Draft) -> bool {
     let (l, positive) = (draft.length, |k: f64| 0.0 < k && k.is_finite());
     let on_beam = |x: f64| (0.0..=l).contains(&x);
+    let in_order = |steps: &[[f64; 2]]| {
+        let ascend = steps.windows(2).all(|two| two[0][0] < two[1][0]) && steps.iter().all(|step| on_beam(step[0]));
+        ascend && steps.first().is_none_or(|step| step[0] == 0.0) && steps.iter().skip(1).all(|step| step[0] < l)
+    };
     let steps = &draft.steps;
-    let ascending = steps.windows(2).all(|two| two[0][0] < two[1][0]) && steps.iter().all(|step| on_beam(step[0]));
-    let begins = steps.first().is_none_or(|step| step[0] == 0.0) && steps.iter().skip(1).all(|step| step[0] < l);
+    let soil = draft.soil.iter().all(|step| 0.0 <= step[1] && step[1].is_finite())
+        && (draft.soil.is_empty() || draft.soil.iter().any(|step| 0.0 < step[1]))
+        && in_order(&draft.soil);
     let joints =
         draft.joints.iter().all(|joint| 0.0 < joint.at && joint.at < l && joint.stiffness.is_none_or(positive));
     let couples = draft.couple.iter().all(|couple| on_beam(couple.at) && couple.moment.is_finite());
     let supports = draft.all_supports();
     let springs = supports.iter().flat_map(|support| [support.stiffness, support.turning_stiffness]).flatten();
-    !(ascending && begins && joints && couples)
+    !(in_order(steps) && joints && couples)
         || !steps.iter().all(|step| positive(step[1]))
         || !springs.into_iter().all(positive)
-        || draft.soil.is_some_and(|k| draft.ground.is_some() && !positive(k))
+        || draft.ground.is_some() && !soil
 }
 
 /// What is refused names its place and a value.

@@ -171,7 +171,7 @@ fn on_grid(
 ) -> Option<(Solution<()>, Option<Certificate>)> {
     let outcome = match solve_raw(scene, settings) {
         Ok(outcome) => outcome,
-        Err(SceneError::SupportBetweenNodes { .. } | SceneError::Overflow { .. }) => return None,
+        Err(SceneError::BetweenNodes { .. } | SceneError::Overflow { .. }) => return None,
         Err(error) => {
             trial.wrong.push(format!("{}: {error}", name(settings)));
             return None;

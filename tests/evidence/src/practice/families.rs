@@ -118,6 +118,11 @@ fn rounded(random: &mut Random, from: f64, to: f64, parts: f64) -> f64 {
 }
 
 /// A beam of a section under its weight.
+/// Soil of one stiffness, if it gives.
+fn evenly(soil: Option<f64>) -> Vec<[f64; 2]> {
+    soil.map(|k| [0.0, k]).into_iter().collect()
+}
+
 fn beam(length: f64, [stiffness, uniform]: Section) -> Draft {
     Draft { length, stiffness, uniform, ..Draft::default() }
 }
@@ -243,7 +248,7 @@ fn footing(random: &mut Random) -> Draft {
     let hollows = random.pick(&[Bed::Level, Bed::Level, Bed::Steps { apart: 1.0, high: 0.01 }]);
     let ground = Some(bed(random, length, hollows));
     let soil = Some(random.pick(&SUBGRADES) * WIDTHS[kind]);
-    Draft { point, supports: Some(Vec::new()), ground, soil, ..draft }
+    Draft { point, supports: Some(Vec::new()), ground, soil: evenly(soil), ..draft }
 }
 
 fn rail(random: &mut Random) -> Draft {
@@ -259,7 +264,7 @@ fn rail(random: &mut Random) -> Draft {
     let kind = random.pick(&beds);
     let ground = Some(bed(random, length, kind));
     let soil = Some(random.pick(&TRACKS));
-    Draft { point, supports: Some(Vec::new()), ground, soil, ..draft }
+    Draft { point, supports: Some(Vec::new()), ground, soil: evenly(soil), ..draft }
 }
 
 fn pipe(random: &mut Random, soil: Option<f64>) -> Draft {
@@ -284,7 +289,7 @@ fn pipe(random: &mut Random, soil: Option<f64>) -> Draft {
     let valves =
         (0..random.below(3)).map(|_| PointLoad { at: rounded(random, 0.0, length, 1.0), force: 5.0 * draft.uniform });
     let point = valves.collect();
-    Draft { point, supports: Some(supports), ground: Some(ground), soil, ..draft }
+    Draft { point, supports: Some(supports), ground: Some(ground), soil: evenly(soil), ..draft }
 }
 
 fn free_beam(random: &mut Random) -> Draft {
@@ -303,5 +308,5 @@ fn free_beam(random: &mut Random) -> Draft {
     };
     let point = places.iter().map(|&at| PointLoad { at, force: weight * random.between(0.1, 10.0) }).collect();
     let ground = Some(bed(random, length, Bed::Level));
-    Draft { point, supports: Some(Vec::new()), ground, soil, ..draft }
+    Draft { point, supports: Some(Vec::new()), ground, soil: evenly(soil), ..draft }
 }

@@ -48,6 +48,7 @@ fn sketched(scene: &Scene, curves: &Curves) -> Panel {
         intensity: vec![[0.0, q], [l, q]],
         values: vec![(0.75 * l, q, "load q".to_owned())],
         points: Vec::new(),
+        couples: Vec::new(),
     };
     let lifted = 0.05 * l;
     let x = Axis::along("x, from the left support to the right one at l", [0.0, l]);

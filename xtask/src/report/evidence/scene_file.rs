@@ -8,7 +8,7 @@ use super::prelude::*;
 use crate::report::files;
 
 /// The tables of the page in their order: a line with a key of the table in the place of `{}`, and one with an example.
-const TABLES: [[&str; 2]; 14] = [
+const TABLES: [[&str; 2]; 15] = [
     ["{}", "{}"],
     ["units = { {} }", "{}"],
     ["beam.{}", "beam.{}"],
@@ -20,6 +20,7 @@ const TABLES: [[&str; 2]; 14] = [
     ["load.point = [{ {} }]", "load.{}"],
     ["load.couple = [{ {} }]", "load.{}"],
     ["foundation.{}", "foundation.{}"],
+    ["foundation.stiffness = { {} }", "foundation.{}"],
     ["foundation.cosine = { {} }", "foundation.{}"],
     ["foundation.survey = { {} }", "foundation.{}"],
     ["body.{}", "body.{}"],

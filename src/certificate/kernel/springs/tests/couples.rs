@@ -101,7 +101,7 @@ fn a_wrong_witness_does_not_lose_a_couple() {
         for (share, off) in [(0.0, 0.0), (1.0, 0.0), (1.0, 1e-6), (0.5, 1e-9), (-1.0, 0.0), (1.0, 1e-4), (0.0, 1e-7)] {
             let witness = bends.witness(&places, share, off, &mut random);
             turned(LENGTH, &[], Some(CoupleLoad { at: bends.at, moment: COUPLE }), |enclosed| {
-                let Some(pair) = pair(enclosed, GROUND, &witness) else { return };
+                let Some(pair) = pair(enclosed, &witness) else { return };
                 found += 1;
                 let sprung = pair.ground.as_ref().expect("of springs");
                 let energy = energy(&pair.pieces, enclosed) + sprung.energy;
@@ -124,7 +124,7 @@ fn a_short_stretch_beside_a_couple_costs_nothing() {
     for (bends, places) in cases() {
         let witness = bends.witness(&places, 1.0, 0.0, &mut Noise(1));
         let couple = CoupleLoad { at: bends.at, moment: COUPLE };
-        let gap = turned(LENGTH, &[], Some(couple), |enclosed| Some(pair(enclosed, GROUND, &witness)?.gap));
+        let gap = turned(LENGTH, &[], Some(couple), |enclosed| Some(pair(enclosed, &witness)?.gap));
         let beside = if bends.is_at_the_end { LENGTH - bends.at } else { 0.0 };
         let most = 1e-20 + 10.0 * beside * COUPLE * COUPLE / STIFFNESS;
         assert!(gap.is_some_and(|gap| gap <= most), "{bends:?}, {places:?}: {gap:?} for {most:e}");

@@ -67,6 +67,7 @@ pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
             intensity: Vec::new(),
             values: Vec::new(),
             points: vec![(x[J - 1], 1.0, format!("1 at j = {J}"))],
+            couples: Vec::new(),
         }))
         .with(Layer::line(vec![[x[I - 1], 0.0], one[I - 1]], Style { width: 5, ..Style::solid(Color::VERMILLION) }))
         .with(Layer::Note {

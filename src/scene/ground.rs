@@ -1,0 +1,172 @@
+//! How stiff an elastic foundation is along the beam: one stiffness `k`, or steps of it.
+//!
+//! ```text
+//! p = k(x) (v − g)₊,    k(x) = k_i from x_i on        where k = 0 there is no foundation at all
+//! ```
+
+use super::error::{SceneError, finite, positive};
+use super::quantity::Quantity;
+use super::stiffness::check_places;
+use super::{Beam, Foundation, Load, Scene};
+
+/// The stiffness `k` of an elastic foundation.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct GroundStiffness {
+    /// The greatest one, positive.
+    pub(super) greatest: f64,
+    /// From each place on another one; none if there is one from end to end.
+    pub(super) steps: Vec<[f64; 2]>,
+}
+
+impl GroundStiffness {
+    pub(super) fn one(stiffness: f64) -> Result<Self, SceneError> {
+        Ok(Self { greatest: positive(Quantity::GroundStiffness, stiffness)?, steps: Vec::new() })
+    }
+
+    pub(super) fn in_steps(steps: Vec<[f64; 2]>, length: f64) -> Result<Self, SceneError> {
+        check_places(&steps, length, Quantity::GroundStiffness, Quantity::GroundStepAt)?;
+        for (i, step) in steps.iter().enumerate() {
+            let quantity = Quantity::GroundStepStiffness(i);
+            if finite(quantity, step[1])? < 0.0 {
+                return Err(SceneError::NegativeGroundStiffness { quantity, value: step[1] });
+            }
+        }
+        let greatest = steps.iter().fold(0.0, |most: f64, step| most.max(step[1]));
+        if greatest <= 0.0 {
+            return Err(SceneError::NoGroundAnywhere);
+        }
+        Ok(Self { greatest, steps })
+    }
+
+    /// In other units: `of` converts a stiffness, `length` is the unit of length.
+    pub(super) fn scaled(&self, length: f64, of: impl Fn(f64) -> f64) -> Self {
+        let steps = self.steps.iter().map(|&[at, value]| [super::pieces::place(at / length), of(value)]).collect();
+        Self { greatest: of(self.greatest), steps }
+    }
+
+    /// `k` just left and just right of a place.
+    fn beside(&self, x: f64) -> [f64; 2] {
+        let at = |next: usize| next.checked_sub(1).map_or(self.greatest, |i| self.steps[i][1]);
+        [at(self.steps.partition_point(|step| step[0] < x)), at(self.steps.partition_point(|step| step[0] <= x))]
+    }
+
+    /// Parts with one stiffness each: from, to, `k`.
+    fn parts(&self, length: f64) -> impl Iterator<Item = ([f64; 2], f64)> + '_ {
+        let end = move |i: usize| self.steps.get(i + 1).map_or(length, |next| next[0]);
+        let one = self.steps.is_empty().then_some(([0.0, length], self.greatest));
+        let each = self.steps.iter().enumerate().map(move |(i, step)| ([step[0], end(i)], step[1]));
+        one.into_iter().chain(each)
+    }
+}
+
+impl Scene {
+    /// The same scene on ground that gives: under a penetration `v − g` it presses with `k (v − g)` and cannot pull, a unilateral
+    /// Winkler foundation.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::NotPositive`] unless `k` is positive and finite.
+    pub fn on_springs(&self, stiffness: f64) -> Result<Self, SceneError> {
+        Ok(Self { stiffness: Some(GroundStiffness::one(stiffness)?), ..self.clone() })
+    }
+
+    /// A scene above a foundation with another stiffness from each place on, `(x_i, k_i)` \[length, force / length²\].
+    ///
+    /// # Errors
+    ///
+    /// Those of [`above`](Self::above) and of [`on_springs_in_steps`](Self::on_springs_in_steps).
+    pub fn above_steps(
+        beam: Beam,
+        load: Load,
+        foundation: Option<Foundation>,
+        steps: Vec<[f64; 2]>,
+    ) -> Result<Self, SceneError> {
+        let stiffness = GroundStiffness::in_steps(steps, beam.length())?;
+        Self::built(beam, load, foundation, Some(stiffness))
+    }
+
+    /// The same with another stiffness from each place on, `(x_i, k_i)`; where it is 0 there is no foundation
+    /// \[length, force / length²\].
+    ///
+    /// # Errors
+    ///
+    /// No steps, steps that do not begin at 0, that go back or begin at the end of the beam, a stiffness that is negative, and a
+    /// foundation that is nowhere.
+    pub fn on_springs_in_steps(&self, steps: Vec<[f64; 2]>) -> Result<Self, SceneError> {
+        let stiffness = GroundStiffness::in_steps(steps, self.beam.length())?;
+        Ok(Self { stiffness: Some(stiffness), ..self.clone() })
+    }
+
+    /// `k` of ground that gives, in steps the greatest one \[force / length²\]; none where it is rigid, or where there is no foundation.
+    #[must_use]
+    pub fn ground_stiffness(&self) -> Option<f64> {
+        self.given_stiffness().map(|stiffness| stiffness.greatest)
+    }
+
+    /// `(x_i, k_i)`, the stiffness of an elastic foundation from each place on; empty if it is one from end to end
+    /// \[length, force / length²\].
+    #[must_use]
+    pub fn ground_steps(&self) -> &[[f64; 2]] {
+        self.given_stiffness().map_or(&[], |stiffness| &stiffness.steps)
+    }
+
+    /// Parts of the beam with one stiffness of the foundation each, from end to end: `[from, to]` and `k`; none on rigid ground.
+    pub fn ground_parts(&self) -> impl Iterator<Item = ([f64; 2], f64)> + '_ {
+        self.given_stiffness().into_iter().flat_map(|stiffness| stiffness.parts(self.beam.length()))
+    }
+
+    /// Where the stiffness of an elastic foundation changes, from left to right \[length\].
+    pub(crate) fn ground_changes(&self) -> impl Iterator<Item = f64> + '_ {
+        self.ground_steps().windows(2).filter(|two| two[0][1].total_cmp(&two[1][1]).is_ne()).map(|two| two[1][0])
+    }
+
+    /// `k` just left and just right of a place; rigid ground, and none, has the stiffness 0.
+    #[must_use]
+    pub fn ground_stiffness_beside(&self, x: f64) -> [f64; 2] {
+        self.given_stiffness().map_or([0.0; 2], |stiffness| stiffness.beside(x))
+    }
+
+    /// Whether there is foundation just left and just right of a place, rigid or elastic.
+    pub(crate) fn is_grounded_beside(&self, x: f64) -> [bool; 2] {
+        match self.given_stiffness() {
+            Some(stiffness) => stiffness.beside(x).map(|k| 0.0 < k),
+            None => [self.foundation.is_some(); 2],
+        }
+    }
+
+    /// The outermost places below which there is foundation; [`None`] if there is none.
+    pub(super) fn ground_ends(&self) -> Option<[f64; 2]> {
+        let length = self.beam.length();
+        let Some(stiffness) = self.given_stiffness() else {
+            return self.foundation.is_some().then_some([0.0, length]);
+        };
+        let grounded = || stiffness.parts(length).filter(|(_, k)| 0.0 < *k).map(|(ends, _)| ends);
+        let first = grounded().next()?;
+        Some([first[0], grounded().last().unwrap_or(first)[1]])
+    }
+
+    /// The same scene under another load.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Scene::new`].
+    pub(crate) fn under(&self, load: Load) -> Result<Self, SceneError> {
+        Ok(Self { load: load.checked(&self.beam)?, ..self.clone() })
+    }
+
+    /// The same scene above another foundation of the same stiffness.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Scene::new`].
+    pub(crate) fn above_other(&self, foundation: Option<Foundation>) -> Result<Self, SceneError> {
+        let (beam, load) = (self.beam.clone(), self.load.clone());
+        let other = Self::built(beam, load, foundation, self.stiffness.clone())?;
+        Ok(other.labelled(self.title.clone(), self.units.clone()))
+    }
+
+    /// The stiffness where there is a foundation.
+    fn given_stiffness(&self) -> Option<&GroundStiffness> {
+        self.stiffness.as_ref().filter(|_| self.foundation.is_some())
+    }
+}

@@ -1,0 +1,155 @@
+//! Supports that give: what they do to the beam, and which of those that only push are pressed.
+//!
+//! A spring that acts is a place of a chain ([`super::divided`]). Which of those that only push do so is found by a loop on their set:
+//!
+//! ```text
+//! B ← all;    repeat  v ← the beam on B and the springs that hold both ways;  B ← B − { R < 0 } + { v > d },    until B stays
+//! ```
+//!
+//! From all of them on, the beam is held by more than it needs. All on the wrong side are exchanged at once as long as fewer become wrong,
+//! and then one at a time, the last: of a linear problem that comes to an end (Murty 1974). With contact it is linear by parts only, and
+//! the work has a limit.
+
+use super::check::{Check, TOLERANCE};
+use super::list::List;
+use super::piece::derivatives;
+use super::piecewise::{AtSpring, PiecewiseScene};
+use super::search::Candidate;
+use super::solve::TheoryError;
+use super::span::Span;
+use super::violation::Violation;
+use crate::scene::Scene;
+
+/// All on the wrong side are exchanged so often without a better set than any before. *Tuned*: any small number will do, since one at a
+/// time follows.
+const PATIENCE: usize = 3;
+
+/// What a support that gives does to the beam.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct SpringState {
+    /// `R`, upwards.
+    pub(super) force: f64,
+    /// By how much `M` jumps because of it.
+    pub(super) couple: f64,
+    /// `M` just to the left and just to the right of it.
+    pub(super) moments: [f64; 2],
+}
+
+/// Of the supports that give, what each does; `spans` are those of the list.
+pub(super) fn states(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Vec<SpringState> {
+    given.springs.iter().map(|spring| state(given, list, spans, spring)).collect()
+}
+
+fn state(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], spring: &AtSpring) -> SpringState {
+    if !spring.acts {
+        return SpringState::default();
+    }
+    let at = &given.breakpoints[spring.breakpoint];
+    let is_here = |x: f64| x.total_cmp(&at.x).is_eq();
+    let before = spans.iter().map(|(_, span)| span).find(|span| is_here(span.b.x));
+    let after = spans.iter().map(|(_, span)| span).find(|span| is_here(span.a.x));
+    let nodes = &list.nodes;
+    let node = nodes.iter().position(|node| is_here(node.x));
+    let zone = list.zones().any(|zone| zone.from < at.x && at.x < zone.to);
+    let (left, right) = (before.map(|span| span.beam_b), after.map(|span| span.beam_a));
+    // Where the beam lies on the ground on a side, it is the ground.
+    let cells = given.cells_beside(spring.breakpoint);
+    let on_ground = [0, 1].map(|side| {
+        let lies = zone || node.is_some_and(|node| list.in_zone_before(node + side));
+        lies.then(|| given.derivatives(cells[side], at.x))
+    });
+    let sides = [left.or(on_ground[0]), right.or(on_ground[1])];
+    let Some([v, slope, ..]) = sides[1].or(sides[0]) else { return SpringState::default() };
+    let moments = sides.map(|side| side.map_or(0.0, |beam| -beam[2]));
+    let shears = sides.map(|side| side.map_or(0.0, |beam| -beam[3]));
+    // Either from how far it gives, or from what jumps: of a stiff one the former has no digits, of a soft one the latter.
+    let of = |k: f64, [given, without]: [f64; 2], jump: f64, size: f64| {
+        if k * (given.abs() + without.abs()) <= size { k * (given - without) } else { jump }
+    };
+    let touches = zone || node.is_some();
+    let v = if touches { at.depth } else { v };
+    let jump = shears[1] - shears[0] + at.force;
+    let size = if touches { f64::INFINITY } else { shears[0].abs() + shears[1].abs() + at.force.abs() };
+    let force = of(spring.stiffness, [v, spring.level], jump, size);
+    let couple = spring.turning.map_or(0.0, |[k, without]| {
+        let jump = moments[1] - moments[0] + at.couple;
+        let size = moments[0].abs() + moments[1].abs() + at.couple.abs();
+        match node {
+            // The digits of a slope beyond its number, of one that is free.
+            Some(node) => at.couple - nodes[node].couple(given),
+            None => of(-k, [slope, without], jump, if zone { f64::INFINITY } else { size }),
+        }
+    });
+    SpringState { force, couple, moments }
+}
+
+/// Of the supports that only push, those that would have to pull, and those that the beam would be below, each with its index.
+pub(super) fn wrong(given: &PiecewiseScene, checked: &Check) -> Vec<(usize, Violation)> {
+    let (nothing, force) = (checked.nothing().depth, checked.largest_force());
+    let fault = |(i, spring): (usize, &AtSpring)| {
+        let x = given.breakpoints[spring.breakpoint].x;
+        if spring.acts {
+            let pull = -checked.springs[i].force;
+            let is_wrong = spring.pushes_only && (pull.is_nan() || TOLERANCE * force < pull);
+            return is_wrong.then_some((i, Violation::Pull { at: x, force: pull }));
+        }
+        let piece = &checked.pieces[checked.pieces.partition_point(|p| p.hi < x).min(checked.pieces.len() - 1)];
+        let part = piece.part_in(given, given.cell_to(x));
+        let mut taylor = vec![0.0; given.terms];
+        part.deflection(given, &mut taylor);
+        let depth = derivatives(&taylor, x - part.anchor)[0] - spring.level;
+        let allowed = nothing.max(TOLERANCE * spring.level.abs());
+        (depth.is_nan() || allowed < depth).then_some((i, Violation::Penetration { at: x, depth }))
+    };
+    given.springs.iter().enumerate().filter_map(fault).collect()
+}
+
+/// A scene with those of its supports that only push and give as springs that it presses, and the answer that `find` finds for it, from the
+/// list of another set where there is one; `acts` is a set to begin with.
+///
+/// # Errors
+///
+/// Those of `find`.
+pub(super) fn search_with(
+    scene: &Scene,
+    acts: Option<Vec<bool>>,
+    mut find: impl FnMut(&PiecewiseScene, Option<&List>) -> Result<Candidate, TheoryError>,
+) -> Result<(PiecewiseScene, Candidate), TheoryError> {
+    /// Sets that are tried at most for each of the supports, and besides.
+    const MOST: [usize; 2] = [3, 20];
+    let mut given = PiecewiseScene::new(scene);
+    if let Some(acts) = acts.filter(|acts| acts.len() == given.springs.len()) {
+        given = PiecewiseScene::with(scene, |i| acts[i] || !given.springs[i].pushes_only);
+    }
+    let (mut fewest, mut patience) = (usize::MAX, PATIENCE);
+    let mut before: Option<Candidate> = None;
+    let mut left = MOST[0] * given.springs.iter().filter(|spring| spring.pushes_only).count() + MOST[1];
+    loop {
+        let found = find(&given, before.as_ref().map(|found| &found.list))?;
+        let found = match before.take() {
+            Some(Candidate { steps, lists, samples, .. }) => Candidate {
+                steps: found.steps + steps,
+                lists: found.lists + lists,
+                samples: found.samples + samples,
+                ..found
+            },
+            None => found,
+        };
+        let wrong = wrong(&given, &found.checked);
+        left -= 1;
+        if wrong.is_empty() || left == 0 {
+            return Ok((given, found.with(wrong)));
+        }
+        (fewest, patience) =
+            if wrong.len() < fewest { (wrong.len(), PATIENCE) } else { (fewest, patience.saturating_sub(1)) };
+        // Of a beam that nothing holds any more, one at a time as well.
+        if !found.solved() {
+            patience = 0;
+        }
+        let exchanged = if 0 < patience { &wrong[..] } else { &wrong[wrong.len() - 1..] };
+        let mut acts: Vec<bool> = given.springs.iter().map(|spring| spring.acts).collect();
+        exchanged.iter().for_each(|(i, _)| acts[*i] = !acts[*i]);
+        given = PiecewiseScene::with(scene, |i| acts[i]);
+        before = Some(found);
+    }
+}

@@ -1,0 +1,104 @@
+//! The spans that the nodes of a list make, from left to right.
+//!
+//! Beyond the outermost node on a side the beam hangs over, and where springs are beyond it, hangs on them: from the outermost spring
+//! outwards it follows by statics, and up to there it is a chain of spans ([`divided`]). Without nodes it is that from end to end.
+
+use super::super::divided::{self, Parts};
+use super::super::piecewise::PiecewiseScene;
+use super::super::span::{End, Span};
+use super::{List, Node};
+
+impl List {
+    /// The spans and overhangs from left to right, each with the number of nodes to its left; one that is divided by its parts.
+    pub(in crate::theory) fn spans(&self, given: &PiecewiseScene) -> impl Iterator<Item = (usize, Span)> {
+        let n = self.nodes.len();
+        let with = |parts: Option<Parts>, i: usize| parts.into_iter().flatten().map(move |span| (i, span));
+        let left = with(self.outer(given, true), 0);
+        let right = with(self.outer(given, false).filter(|_| 0 < n), n);
+        let between = (1..n).filter(|&i| !self.in_zone_before(i));
+        let between = between.flat_map(move |i| self.span(given, i).into_iter().map(move |span| (i, span)));
+        left.chain(between).chain(right)
+    }
+
+    /// On which sides of node `i` nothing holds the beam, so that statics say its moment there.
+    pub(super) fn overhangs(&self, given: &PiecewiseScene, i: usize) -> [bool; 2] {
+        let x = self.nodes[i].x;
+        let beyond = |outermost: bool, at_left| outermost && given.spring_beyond(x, at_left).is_none();
+        [beyond(i == 0, true), beyond(i + 1 == self.nodes.len(), false)]
+    }
+
+    /// What is beyond the outermost node on a side; of a beam without nodes all of it.
+    fn outer(&self, given: &PiecewiseScene, at_left: bool) -> Option<Parts> {
+        let Some(node) = (if at_left { self.nodes.first() } else { self.nodes.last() }) else {
+            return given.acting().next().map(|_| Parts::of(divided::on_springs(given, [None; 2], 0.0)));
+        };
+        if given.spring_beyond(node.x, at_left).is_some() {
+            return Some(self.sprung(given, at_left));
+        }
+        let is_inside = if at_left { 0.0 < node.x } else { node.x < given.length };
+        is_inside.then(|| self.overhang(given, node, at_left))
+    }
+
+    /// The beam beyond the outermost node on a side, up to the outermost spring and beyond it.
+    fn sprung(&self, given: &PiecewiseScene, at_left: bool) -> Parts {
+        let i = if at_left { 0 } else { self.nodes.len() - 1 };
+        let (node, [right, left]) = (&self.nodes[i], self.nodes[i].cells(given));
+        let mut end = node.span_end(given, if at_left { left } else { right });
+        if self.overhangs(given, i)[usize::from(at_left)] {
+            node.hinge(given, &mut end, !at_left);
+        }
+        Parts::of(match at_left {
+            true => divided::on_springs(given, [None, Some(end)], node.joint(given)),
+            false => divided::on_springs(given, [Some(end), None], 0.0),
+        })
+    }
+
+    /// The overhang beyond the outermost node on a side.
+    fn overhang(&self, given: &PiecewiseScene, node: &Node, at_left: bool) -> Parts {
+        let [right, left] = node.cells(given);
+        let cell = if at_left { left } else { right };
+        // Where the node leaves the slope free, it is that of the span beside it.
+        let beside = || {
+            let i = if at_left { 1 } else { self.nodes.len() - 1 };
+            let joint = node.joint(given);
+            let turned = |bent: f64| if joint == 0.0 { 0.0 } else { joint * bent };
+            let parts = match (0 < i && i < self.nodes.len()).then(|| self.in_zone_before(i)) {
+                Some(true) => None,
+                Some(false) => Some(self.span(given, i)),
+                None => given.spring_beyond(node.x, !at_left).map(|_| self.sprung(given, !at_left)),
+            };
+            parts.map(|parts| match at_left {
+                true => parts.first.beam_a[1] - turned(parts.first.beam_a[2] - node.couple(given)),
+                false => parts.last().beam_b[1] + turned(parts.last().beam_b[2]),
+            })
+        };
+        let slope = node.held_slope(given).or_else(beside).unwrap_or(node.free_slope()[0]);
+        let held = node.span_end(given, cell);
+        let divisions =
+            if at_left { given.divisions_between(0.0, node.x) } else { given.divisions_between(node.x, given.length) };
+        if divisions.is_empty() {
+            return Parts::one(Span::overhang(given, held, slope, at_left));
+        }
+        Parts::of(divided::overhang(given, held, slope, at_left))
+    }
+
+    /// The span between node `i − 1` and node `i`.
+    fn span(&self, given: &PiecewiseScene, i: usize) -> Parts {
+        let (left, right) = (&self.nodes[i - 1], &self.nodes[i]);
+        let ([from, _], [_, to]) = (left.cells(given), right.cells(given));
+        let (mut a, mut b): (End, End) = (left.span_end(given, from), right.span_end(given, to));
+        if self.overhangs(given, i - 1)[0] {
+            left.hinge(given, &mut a, true);
+        }
+        if self.overhangs(given, i)[1] {
+            right.hinge(given, &mut b, false);
+        }
+        let (divisions, joint) = (given.divisions_between(a.x, b.x), right.joint(given));
+        if divisions.is_empty() && joint == 0.0 {
+            return Parts::one(Span::between(given, a, b));
+        }
+        let parts = divided::between(given, [a, b], divisions, joint);
+        // Nothing is known of a mechanism.
+        parts.map_or_else(|| Parts::one(Span::between(given, a, b).unknown()), Parts::of)
+    }
+}
