@@ -212,12 +212,15 @@ fn across(s: &Scene, beside: [Option<&Cell>; 2]) -> Result<[Q; 2]> {
         let [spring, turning] = ["stiffness", "turning_stiffness"].map(|key| t.get(key).map(positive).transpose());
         let (pushes, built_in, turning) = (t["pushes_only"] == true, t["built_in"] == true, turning?);
         match &spring? {
-            Some(_) if pushes && !depths.is_empty() => return wrong("ground and a spring share the force"),
-            Some(k) => { if !pushes || *v > level { up += half(k * (v - &level).sqr()); } low -= half(force.sqr() / k); }
-            None if pushes && *v > level => return wrong("the beam is below the support"),
-            None => if !pushes && *v != level { return wrong("the support is not kept to"); }
+            Some(k) => { // What is more than it has where the beam touches ground rests on that.
+                let own = depths.iter().min().map_or(force.clone(), |g| force.clone().min(k * (g - &level)));
+                let own = if pushes { own.max(Q::ZERO) } else { own };
+                (low, force) = (low - half(own.sqr() / k) - &own * &level, force - own);
+                if !pushes || *v > level { up += half(k * (v - level).sqr()); }
+            }
+            None if pushes => if *v > level { return wrong("the beam is below the support"); } else { depths.push(level) },
+            None => if *v != level { return wrong("the support is not kept to"); } else { low -= std::mem::take(&mut force) * level; }
         }
-        if pushes { depths.push(level); } else { low -= std::mem::take(&mut force) * level; }
         if built_in && (*slope != phi || !turn.is_zero()) { return wrong("the slope is not kept to"); }
         if let Some(k) = &turning { up += half(k * (slope - &phi).sqr()); low -= half(couple.sqr() / k); }
         if built_in || turning.is_some() { low += std::mem::take(&mut couple) * phi; }

@@ -114,6 +114,7 @@ impl Given {
     fn is_corner(&self, x: f64) -> bool {
         let [left, right] = [true, false].map(|left| self.side(x, left));
         self.joint(x).is_some()
+            || left.is_none() && right.is_none()
             || x <= 0.0
             || self.length <= x
             || left != right

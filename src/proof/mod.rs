@@ -162,13 +162,16 @@ pub fn of_contacts(scene: &Scene, contacts: &[Contact]) -> Result<Fields, Unprov
 }
 
 fn of_places(scene: &Scene, contacts: &[Contact], exact: Option<&Exact>) -> Result<Fields, Unproven> {
-    let stops = scene.beam().springs().iter().filter(|support| support.pushes_only);
-    let pressed = |at: f64| {
-        exact.is_none_or(|exact| exact.state.supports.iter().any(|s| s.at.total_cmp(&at).is_eq() && 0.0 < s.force))
+    let stops: Vec<f64> = scene.beam().springs().iter().filter(|s| s.pushes_only).map(|support| support.at).collect();
+    let is_at = |at: f64, other: f64| at.total_cmp(&other).is_eq();
+    let pushes = |at: &f64| {
+        exact.is_none_or(|exact| exact.state.supports.iter().any(|s| is_at(s.at, *at) && 0.0 < s.force))
     };
-    let press: Vec<f64> = stops.map(|support| support.at).filter(|at| pressed(*at)).collect();
+    let press: Vec<f64> = stops.iter().copied().filter(pushes).collect();
     let given = Given::of(scene, &press)?;
-    let mut contacts = contacts.to_vec();
+    // A stop is a spring, and no place of the ground.
+    let is_stop = |contact: &Contact| contact.to <= contact.from && stops.iter().any(|at| is_at(*at, contact.from));
+    let mut contacts: Vec<Contact> = contacts.iter().filter(|contact| !is_stop(contact)).cloned().collect();
     loop {
         let proven = given.nodes(&contacts, exact).and_then(|nodes| given.assembled(&nodes));
         let Err(Unproven::Tension { at }) = proven else { return proven };
