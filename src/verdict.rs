@@ -176,9 +176,6 @@ pub enum Refusal {
     /// Its numbers are not all finite.
     #[error("it has numbers that are not finite")]
     NoNumbers,
-    /// The beam has a hinge.
-    #[error("it meets all conditions of beam theory, and no bound is proven of a beam with a hinge yet")]
-    Hinged,
     /// Nothing could be proven for the continuous beam.
     #[error("no finite bound on how far the beam may be off could be proven")]
     Unbounded,
@@ -275,12 +272,10 @@ impl Verdict {
     #[must_use]
     pub fn of_exact(scene: &Scene, exact: &Exact, demand: &Demand) -> Self {
         let certificate = ExactContacts::of(exact).proof(scene).map(|proof| proof.judge(Judged::Witness));
-        let is_hinged = scene.beam().joints().iter().any(|joint| joint.stiffness.is_none());
-        let own = match (exact.solved, is_hinged, exact.state.is_finite()) {
-            (true, true, _) => Some(Refusal::Hinged),
-            (true, false, _) => certificate.as_ref().and_then(|c| differs_from_bounds(scene, c, &exact.state)),
-            (false, _, true) => Some(Refusal::Theory { residual: exact.residual }),
-            (false, _, false) => Some(Refusal::NoNumbers),
+        let own = match (exact.solved, exact.state.is_finite()) {
+            (true, _) => certificate.as_ref().and_then(|c| differs_from_bounds(scene, c, &exact.state)),
+            (false, true) => Some(Refusal::Theory { residual: exact.residual }),
+            (false, false) => Some(Refusal::NoNumbers),
         };
         let most = demand.error.min(EXACT);
         let size = exact.state.deflection.magnitude();

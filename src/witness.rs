@@ -11,7 +11,7 @@
 
 use std::sync::OnceLock;
 
-use crate::certificate::{Certificate, Judged, Proof, Stretch, certify};
+use crate::certificate::{Certificate, Hung, Judged, Proof, Stretch, certify};
 use crate::scene::{Foundation, Scene, SceneError};
 use crate::state::Contact;
 use crate::theory::{self, Exact};
@@ -32,25 +32,28 @@ pub struct Witness<'a> {
     proof: OnceLock<Option<Proof>>,
 }
 
-/// Contacts, with the supports at which the ground holds the slope; on ground that gives with stretches from end to end.
+/// Contacts, with the supports at which the ground holds the slope, and what supports that give do; on ground that gives with stretches from end to end.
 #[derive(Debug)]
 pub(crate) struct ExactContacts {
     contacts: Vec<Contact>,
     held: Vec<(f64, bool)>,
+    springs: Vec<[f64; 2]>,
+    hung: Vec<Hung>,
     stretches: Option<Vec<Stretch>>,
 }
 
 impl ExactContacts {
     /// Those of an answer of theory, whether it is a solution or not.
     pub(crate) fn of(exact: &Exact) -> Self {
-        Self { contacts: exact.witness(), held: exact.held(), stretches: exact.stretches() }
+        let (springs, hung) = (exact.sprung(), exact.hung());
+        Self { contacts: exact.witness(), held: exact.held(), springs, hung, stretches: exact.stretches() }
     }
 
     /// What they prove, if the scene can be scaled.
     pub(crate) fn proof(&self, scene: &Scene) -> Option<Proof> {
         match &self.stretches {
             Some(stretches) => Proof::of_stretches(scene, stretches).ok(),
-            None => Proof::of_held(scene, &self.contacts, &self.held).ok(),
+            None => Proof::of_held(scene, &self.contacts, &self.held, &self.springs, &self.hung).ok(),
         }
     }
 }

@@ -3,6 +3,8 @@
 use super::kernel::contact_node::{EnclosedScene, EnclosedSupport};
 use super::kernel::foundation::EnclosedFoundation;
 use super::kernel::gap::EnclosedGap;
+use super::kernel::giving::{Giving, SaidSpring};
+use super::kernel::interval::Interval;
 use super::standing;
 use crate::scene::{Balance, Foundation, Scaled, Scene, SceneError, Support};
 
@@ -12,8 +14,19 @@ pub(super) fn enclosed<R>(scene: &Scene, act: impl FnOnce(&EnclosedScene<'_>, &S
     Ok(in_intervals(&scaled.scene, scaled.balance, |enclosed| act(enclosed, &scaled)))
 }
 
-/// The result of `act` on a scene that is enclosed in intervals as it is.
+/// The result of `act` on a scene that is enclosed in intervals as it is, without supports that give.
 pub(super) fn in_intervals<R>(scene: &Scene, balance: Balance, act: impl FnOnce(&EnclosedScene<'_>) -> R) -> R {
+    with_springs(scene, balance, &[], act)
+}
+
+/// The same with its supports that give, of each of which is said whether the beam touches the ground just there, its force, and by how
+/// much it makes the moment jump.
+pub(super) fn with_springs<R>(
+    scene: &Scene,
+    balance: Balance,
+    springs: &[(bool, [f64; 2])],
+    act: impl FnOnce(&EnclosedScene<'_>) -> R,
+) -> R {
     /// Where there is no foundation it is out of reach.
     const NONE: Foundation = Foundation::Flat { depth: f64::INFINITY };
     const STRAIGHT: Foundation = Foundation::Flat { depth: 0.0 };
@@ -26,7 +39,24 @@ pub(super) fn in_intervals<R>(scene: &Scene, balance: Balance, act: impl FnOnce(
     let bearings: Vec<_> = scene.beam().bearings().iter().flat_map(alone).collect();
     let ground = EnclosedFoundation { bearings: &bearings, ..profile(ground.unwrap_or(&NONE)) };
     let gap = EnclosedGap { ground, shape: profile(shape.unwrap_or(&STRAIGHT)) };
-    let (load, supports) = (standing::between(scene), EnclosedSupport::of(scene, &gap));
+    let (mut load, mut supports) = (standing::between(scene), EnclosedSupport::of(scene, &gap));
+    let mut said = Vec::new();
+    for (support, &(touches, [force, couple])) in scene.beam().springs().iter().zip(springs) {
+        let (x, gives) = (support.at, Giving::of(support, gap.shape.jet(support.at, false)));
+        if !touches && (0.0 < force || !gives.pushes) {
+            supports.push(EnclosedSupport::giving(x, gives, force));
+            continue;
+        }
+        let force = if gives.pushes { force.max(0.0) } else { force };
+        said.push(SaidSpring { x, gives, force, couple });
+        load.points.push((x, Interval::exact(-force)));
+        load.couples.extend(gives.turning.map(|_| (x, Interval::exact(couple))));
+    }
+    if !springs.is_empty() {
+        supports.sort_by(|a, b| a.x.total_cmp(&b.x));
+        load.points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        load.couples.sort_by(|a, b| a.0.total_cmp(&b.0));
+    }
     let turns = |about: &f64| !supports.iter().any(|s| s.is_fixed && (s.x - about).abs() <= 0.0);
     let balanced_at = match balance {
         Balance::Neutral { about, .. } => Some(about).filter(turns),
@@ -52,5 +82,8 @@ pub(super) fn in_intervals<R>(scene: &Scene, balance: Balance, act: impl FnOnce(
         ground: &ground_parts,
         changes: &changes,
         joints: &joints,
+        said: &said,
+        tension: beam.tension(),
+        hung: &[],
     })
 }

@@ -67,11 +67,12 @@ pub use quantities::stiffness;
 pub use stretches::Stretch;
 pub use violations::{Violation, ViolationKind, violations, violations_at_nodes};
 
-use self::enclosed::{enclosed, in_intervals};
+use self::enclosed::{enclosed, in_intervals, with_springs};
 use self::kernel::contact_node::EnclosedScene;
 use self::kernel::distance::{self, Error};
 use self::kernel::held::hold_by_zones;
 use self::kernel::proof::{self, Pair, Piece};
+pub(crate) use self::kernel::tension::{Hung, MOST_TERMS};
 use self::largest::{extremes, largest};
 use self::quantities::energy;
 use self::standing::Standing;
@@ -108,18 +109,34 @@ impl Proof {
     ///
     /// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled.
     pub fn of(scene: &Scene, witness: &[Contact]) -> Result<Self, SceneError> {
-        Self::of_held(scene, witness, &[])
+        Self::of_held(scene, witness, &[], &[], &[])
     }
 
-    /// The same with the places of supports at which the ground holds the slope, and whether it does so from the left.
+    /// The same with the places of supports at which the ground holds the slope, and whether it does so from the left; with the forces
+    /// of the supports that give, from left to right, and by how much each makes the moment jump; and under an axial force with the
+    /// deflection between contacts, in the units of [`Scene::scaled`].
     ///
     /// # Errors
     ///
     /// Those of [`Proof::of`].
-    pub(crate) fn of_held(scene: &Scene, witness: &[Contact], held: &[(f64, bool)]) -> Result<Self, SceneError> {
+    pub(crate) fn of_held(
+        scene: &Scene,
+        witness: &[Contact],
+        held: &[(f64, bool)],
+        springs: &[[f64; 2]],
+        hung: &[Hung],
+    ) -> Result<Self, SceneError> {
         scene.on_rigid_ground("a certificate from a list of contacts")?;
         let scaled = scene.scaled()?;
-        let (pair, known) = in_intervals(&scaled.scene, scaled.balance, |enclosed| {
+        let Scale { length, force, .. } = scaled.scale;
+        let said = scaled.scene.beam().springs().iter().enumerate().map(|(i, spring)| {
+            let touches = witness.iter().any(|c| c.from / length <= spring.at && spring.at <= c.to / length);
+            let [pushed, turned] = springs.get(i).copied().unwrap_or_default();
+            (touches, [pushed / force, turned / scaled.scale.moment()])
+        });
+        let said: Vec<_> = said.collect();
+        let (pair, known) = with_springs(&scaled.scene, scaled.balance, &said, |enclosed| {
+            let enclosed = &EnclosedScene { hung, ..*enclosed };
             of_pair(enclosed, &scaled, best_pair(enclosed, witness, held, &scaled.scale))
         });
         Ok(Self { scaled, pair, known })
@@ -133,6 +150,10 @@ impl Proof {
     /// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled.
     pub fn of_stretches(scene: &Scene, witness: &[Stretch]) -> Result<Self, SceneError> {
         let scaled = scene.scaled()?;
+        if scene.is_firm("").is_err() {
+            let known = Certificate::unknown(scaled.scene.beam().all_supports().len());
+            return Ok(Self { scaled, pair: None, known });
+        }
         let held = bearings::held(&scaled.scene, witness)?;
         let proven = in_intervals(&held, scaled.balance, |enclosed| {
             let cut = stretches::cut(enclosed, witness);

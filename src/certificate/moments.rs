@@ -33,6 +33,8 @@
 //! Couples are left out of all of this: both moments, without the steps that these make, are of the kind above, and the steps are known.
 //! `P` and `J` are sums over what is within `2w` of a place that is within `w` of another one: the greatest sum over any `8w` is enough.
 //!
+//! An axial force is a load `N v*''`, of which `N v̂''` is known and `∫ N (v* − v̂)'' φ dx` is by parts no more than `4 |N| max |v* − v̂|`.
+//!
 //! Two solves of a beam with a kink at `x` bound `M*(x)` as well, since the energy is convex in the angle and its derivative is
 //! `−M*(x)`; but at one place each time, and to the root of what is rounded of an energy. A gap is of the size of the square of
 //! that, and this its third root.
@@ -43,8 +45,9 @@ mod on_springs;
 
 use super::beside::lies_beside;
 use super::kernel::contact_node::{EnclosedScene, EnclosedSupport};
+use super::kernel::distance;
 use super::kernel::interval::Interval;
-use super::kernel::polynomial::Polynomial;
+use super::kernel::polynomial::{Polynomial, number};
 use super::kernel::proof::Pair;
 use super::kernel::reference::OUTWARDS;
 use super::largest::extremes;
@@ -64,7 +67,7 @@ pub(super) fn moments(enclosed: &EnclosedScene<'_>, pair: &Pair) -> [Option<Inte
     let [greatest, least] = extremes(pieces.iter().copied());
     // Where the beam is not built in at an end, there is a moment of zero; couples by the ground beside it leave others near by.
     let is_loaded = |x: f64| enclosed.load.couples.iter().any(|(at, _)| at.total_cmp(&x).is_eq());
-    let is_hinge = |x: f64| enclosed.support(x).is_none_or(|support| support.slope.is_none()) && !is_loaded(x);
+    let is_hinge = |x: f64| enclosed.support(x).is_none_or(|support| !support.holds_slope()) && !is_loaded(x);
     let zero = if is_hinge(0.0) || is_hinge(length) { 0.0 } else { f64::NEG_INFINITY };
     let Some((error, is_known)) = error(enclosed, pair, &pieces) else { return [None; 2] };
     let around = Interval::around_zero(error);
@@ -94,7 +97,12 @@ fn error(enclosed: &EnclosedScene<'_>, pair: &Pair, pieces: &[([f64; 2], Polynom
     let slope = pieces.iter().map(|(ends, m)| m.derivative().range(width(ends)).magnitude()).fold(0.0, f64::max);
     let distributed = pieces.iter().flat_map(|(ends, _)| ends.map(|x| load.line(x, *ends)[0].magnitude()));
     let distributed = distributed.fold(0.0, f64::max);
-    let points: Vec<(f64, f64)> = load.points.iter().map(|p| (p.0, p.1.magnitude())).collect();
+    let (pulled, turned) = axial(enclosed, pair, pieces)?;
+    let distributed = distributed + pulled;
+    let mut points: Vec<(f64, f64)> = load.points.iter().map(|p| (p.0, p.1.magnitude())).collect();
+    let off = |[k, _]: [Interval; 2]| (number(2) * Interval::exact(pair.gap) * k).sqrt().hi();
+    points.extend(enclosed.said.iter().map(|said| (said.x, said.gives.spring.map_or(0.0, off))));
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
     let changes = |w: f64| slope + within(&points, 8.0 * w);
     let mut places: Vec<f64> = supports.iter().map(|s| s.x).chain([length]).collect();
     places.dedup();
@@ -106,9 +114,22 @@ fn error(enclosed: &EnclosedScene<'_>, pair: &Pair, pieces: &[([f64; 2], Polynom
     let energy = 5.0 * pair.gap * stiffness;
     let best = libm::cbrt(energy / (4.0 * changes(0.0) * changes(0.0)));
     let w = if best < most { best } else { most };
-    let jump = within(&jumps, 8.0 * w);
-    let error = changes(w) * w + 0.5 * distributed * w * w + 1.5 * jump + (energy / w).sqrt();
+    let sprung = enclosed.said.iter().filter_map(|said| said.gives.turning).map(off).sum::<f64>();
+    let jump = within(&jumps, 8.0 * w) + 2.0 * sprung;
+    let error = changes(w) * w + 0.5 * distributed * w * w + 1.5 * jump + (energy / w).sqrt() + turned;
     (error.is_finite() && 0.0 < w).then_some((error * OUTWARDS, 0.0 < beside))
+}
+
+/// The load `|N v̂''|` that an axial force is at most, and what it makes of `v* − v̂`; [`None`] with joints, where it is concentrated as well.
+fn axial(enclosed: &EnclosedScene<'_>, pair: &Pair, pieces: &[([f64; 2], Polynomial)]) -> Option<(f64, f64)> {
+    let force = enclosed.tension.abs();
+    if force == 0.0 {
+        return Some((0.0, 0.0));
+    }
+    enclosed.joints.is_empty().then_some(())?;
+    let bent = pieces.iter().map(|(ends, m)| m.range(Interval::length(ends[0], ends[1])).magnitude());
+    let off = distance::anywhere(pair, enclosed.stiffness, enclosed.length);
+    Some((force * bent.fold(0.0, f64::max) / enclosed.stiffness * OUTWARDS, 4.0 * force * off * OUTWARDS))
 }
 
 /// At least the greatest sum of what is at places, from left to right, in a window of this width.
@@ -130,7 +151,7 @@ fn within(places: &[(f64, f64)], width: f64) -> f64 {
 
 /// How far beside a support the moment there is known from above: zero where it is not.
 fn known_beside(enclosed: &EnclosedScene<'_>, pair: &Pair, k: usize) -> f64 {
-    let EnclosedSupport { x, slope, .. } = enclosed.supports[k];
+    let EnclosedSupport { x, .. } = enclosed.supports[k];
     let supports = enclosed.supports;
     let before = k.checked_sub(1).map_or(0.0, |k| supports[k].x);
     let ends = [before, supports.get(k + 1).map_or(enclosed.length, |support| support.x)];
@@ -140,12 +161,12 @@ fn known_beside(enclosed: &EnclosedScene<'_>, pair: &Pair, k: usize) -> f64 {
         }
         (clear_from(enclosed, pair, x, ends[side]) - x).abs()
     };
-    match (slope, ends.map(|end| (end - x).abs() <= 0.0)) {
-        (None, [true, _] | [_, true]) => f64::INFINITY,
-        (None, _) => known(0).max(known(1)),
-        (Some(_), [true, _]) => known(1),
-        (Some(_), [_, true]) => known(0),
-        (Some(_), _) => known(0).min(known(1)),
+    match (enclosed.supports[k].holds_slope(), ends.map(|end| (end - x).abs() <= 0.0)) {
+        (false, [true, _] | [_, true]) => f64::INFINITY,
+        (false, _) => known(0).max(known(1)),
+        (true, [true, _]) => known(1),
+        (true, [_, true]) => known(0),
+        (true, _) => known(0).min(known(1)),
     }
 }
 

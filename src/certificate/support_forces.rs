@@ -15,13 +15,16 @@
 //!
 //! Where no more than two supports and no ground can carry a beam, its forces follow from statics alone.
 //!
+//! Under an axial force the vertical forces differ by such a `κ` (`under_axial_force`).
+//!
 //! A support that only pushes is a point of the ground. Where the beam is clear of the ground beside it, its force follows in the
 //! same way; where the beam is clear of it, it is zero.
 
 use super::beside::{bends_away, lies_beside, lies_idle, opens};
 use super::kernel::contact_node::EnclosedScene;
-use super::kernel::distance::{factor, lines, on_part};
+use super::kernel::distance::{self, factor, lines, on_part};
 use super::kernel::foundation::inside;
+use super::kernel::giving::SaidSpring;
 use super::kernel::interval::Interval;
 use super::kernel::polynomial::{Polynomial, number};
 use super::kernel::proof::{Pair, Piece};
@@ -89,22 +92,37 @@ fn on_springs(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Interval> {
 /// The forces of all supports in the pair; those that only push and that it does not touch exert none.
 fn supports_of(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Interval> {
     let at = |x: f64| pair.carried.iter().find(|(place, _)| place.total_cmp(&x).is_eq());
-    enclosed.all_supports().into_iter().map(|x| at(x).map_or(Interval::ZERO, |carried| carried.1)).collect()
+    let force = |x: f64| match enclosed.said_at(x) {
+        Some(said) => Interval::exact(said.force),
+        None => at(x).map_or(Interval::ZERO, |carried| carried.1),
+    };
+    enclosed.all_supports().into_iter().map(force).collect()
 }
 
 impl EnclosedScene<'_> {
     /// Where all supports are, those that only push among them, from left to right.
     pub(super) fn all_supports(&self) -> Vec<f64> {
         let mut all: Vec<f64> = self.supports.iter().map(|s| s.x).collect();
-        all.extend(self.gap.ground.bearings.iter().map(|p| p[0]));
+        all.extend(self.gap.ground.bearings.iter().map(|p| p[0]).chain(self.said.iter().map(|said| said.x)));
         all.sort_by(f64::total_cmp);
         all.dedup();
         all
     }
 
-    /// True where a support stands that only pushes.
+    /// True where a support stands that only pushes, and no spring that is pressed.
     pub(super) fn pushes_at(&self, x: f64) -> bool {
-        !inside(self.gap.ground.bearings, x.next_down(), x.next_up()).is_empty()
+        !inside(self.gap.ground.bearings, x.next_down(), x.next_up()).is_empty() || self.idle_at(x).is_some()
+    }
+
+    /// A support that gives, as a load.
+    fn said_at(&self, x: f64) -> Option<&SaidSpring> {
+        self.said.iter().find(|said| said.x.total_cmp(&x).is_eq())
+    }
+
+    /// The level of a spring that only pushes and is said not to be pressed.
+    fn idle_at(&self, x: f64) -> Option<Interval> {
+        let idle = self.said_at(x).filter(|said| said.gives.pushes && said.force <= 0.0)?;
+        idle.gives.spring.map(|[_, level]| level)
     }
 }
 
@@ -129,15 +147,25 @@ fn by_statics(scene: &Scene, load: &Load, enclosed: &EnclosedScene<'_>, pair: &P
     let (all, factor) = (enclosed.all_supports(), factor(pair.gap, enclosed.stiffness));
     let is_free = scene.foundation().is_none()
         && pair.turns_about.is_none()
-        && enclosed.supports.iter().all(|support| support.slope.is_none());
+        && enclosed.supports.iter().all(|support| !support.holds_slope());
     let touches = |x: &f64| !enclosed.pushes_at(*x) || !is_clear_of(enclosed, pair, factor, *x);
     let touched: Vec<f64> = all.iter().copied().filter(|x| is_free && touches(x)).collect();
     let [a, b] = touched[..] else { return None };
     let apart = Interval::length(a, b);
+    // The axial force turns a beam that is held at its two ends by the difference of their levels.
+    let pulled = if enclosed.tension == 0.0 {
+        Interval::ZERO
+    } else {
+        let levels = [(a, 0.0), (b, enclosed.length)].map(|(x, end)| {
+            let held = enclosed.support(x).filter(|_| x.total_cmp(&end).is_eq());
+            held.map(|support| support.deflection)
+        });
+        Interval::exact(enclosed.tension) * (levels[1]? - levels[0]?) / apart
+    };
     let force = |x: f64| {
         let force = match x {
-            _ if x <= a && a <= x => -moment(load, enclosed.length, b) / apart,
-            _ if x <= b && b <= x => moment(load, enclosed.length, a) / apart,
+            _ if x <= a && a <= x => -moment(load, enclosed.length, b) / apart + pulled,
+            _ if x <= b && b <= x => moment(load, enclosed.length, a) / apart - pulled,
             _ => return Interval::ZERO,
         };
         if enclosed.pushes_at(x) { force.not_negative() } else { force }
@@ -172,9 +200,13 @@ fn supports(enclosed: &EnclosedScene<'_>, pair: &Pair, load: Interval) -> Vec<Op
             [(before, 0), (after, 1)].map(|(next, side)| next.is_none() && (ends[side] - reached[side]).abs() <= 0.0);
         let mut turns = Interval::ZERO;
         for side in [0, 1] {
-            let share = if given[1 - side] && enclosed.support(x).is_none_or(|s| s.slope.is_none()) { 6 } else { 24 };
+            let share = if given[1 - side] && enclosed.support(x).is_none_or(|s| !s.holds_slope()) { 6 } else { 24 };
             let c = Interval::exact(least_magnitude(clear[side]));
-            let turn = number(share) * Interval::exact(enclosed.stiffest) * Interval::exact(pair.gap) / (c * c * c);
+            let turn = if enclosed.tension == 0.0 {
+                number(share) * Interval::exact(enclosed.stiffest) * Interval::exact(pair.gap) / (c * c * c)
+            } else {
+                under_axial_force(enclosed, pair, c)
+            };
             match (given[side] || lies_beside(enclosed, pair, x, side), c.lo() <= 0.0) {
                 (true, _) => {}
                 (false, true) => return None,
@@ -184,7 +216,45 @@ fn supports(enclosed: &EnclosedScene<'_>, pair: &Pair, load: Interval) -> Vec<Op
         let force = force + Interval::around_zero(turns.hi());
         Some(if enclosed.pushes_at(x) { force.not_negative() } else { force })
     };
-    supports_of(enclosed, pair).into_iter().enumerate().map(bracket).collect()
+    // A spring says its force by itself, too.
+    let sprung = |(k, force): (usize, Interval)| {
+        let own = own_bracket(enclosed, pair, all[k], force);
+        let known = if enclosed.said_at(all[k]).is_some_and(|said| said.force.abs() > 0.0) {
+            None
+        } else {
+            bracket((k, force))
+        };
+        let width = |of: &Interval| of.hi() - of.lo();
+        known.into_iter().chain(own).min_by(|a, b| width(a).total_cmp(&width(b)))
+    };
+    supports_of(enclosed, pair).into_iter().enumerate().map(sprung).collect()
+}
+
+/// What the force of a spring lies between by its own share in the gap, `(R − R*)²/2k`; [`None`] of what does not give.
+fn own_bracket(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, force: Interval) -> Option<Interval> {
+    let of_support = || enclosed.support(x).and_then(|support| support.gives);
+    let gives = enclosed.said_at(x).map(|said| said.gives).or_else(of_support)?;
+    let [k, _] = gives.spring?;
+    let bracket = force + Interval::around_zero((number(2) * Interval::exact(pair.gap) * k).sqrt().hi());
+    Some(if gives.pushes { bracket.positive_part() } else { bracket })
+}
+
+/// At least `κ²` of a beam under an axial force, whose vertical forces differ by `κ = m' + N w'`, `w = v̂ − v*`, up to the distance `c`. The
+/// moments of the pair are in balance with the loads and `N v̂''`, so that they are `ρ` off `−EI v̂''`, and with `φ = 6 s (c − s)/c³`
+///
+/// ```text
+/// κ = ∫ κ φ dx = −∫ m φ' dx + ∫ N w' φ dx,    ‖m‖ ≤ ρ + ‖w‖ ≤ 2 √(2 gap)
+/// |κ| ≤ √(2 gap) (2 √(12 EI/c³) + √(6 N/5 c)),      under compression with max |w| (∫ |φ'| dx = 3/c) in the last term: 3 |N| max |w|/c
+/// ```
+fn under_axial_force(enclosed: &EnclosedScene<'_>, pair: &Pair, c: Interval) -> Interval {
+    let (root, force) = ((number(2) * Interval::exact(pair.gap)).sqrt(), Interval::exact(enclosed.tension.abs()));
+    let bent = number(2) * root * (number(12) * Interval::exact(enclosed.stiffest) / (c * c * c)).sqrt();
+    let pulled = if 0.0 < enclosed.tension {
+        root * (number(6) * force / (number(5) * c)).sqrt()
+    } else {
+        number(3) * force * Interval::exact(distance::anywhere(pair, enclosed.stiffness, enclosed.length)) / c
+    };
+    (bent + pulled).square()
 }
 
 /// Whether the beam is proven to be clear of the support that only pushes at a place.
@@ -199,7 +269,11 @@ pub(super) fn piece_at(pair: &Pair, x: f64) -> &Piece {
 
 /// How far a piece is clear of what is below it at a place.
 fn clear_of(enclosed: &EnclosedScene<'_>, piece: &Piece, x: f64) -> Interval {
-    enclosed.gap.depth(x) - piece.v.at(Interval::length(piece.from, x))
+    let v = piece.v.at(Interval::length(piece.from, x));
+    let clear = enclosed.gap.depth(x) - v;
+    enclosed
+        .idle_at(x)
+        .map_or(clear, |level| Interval::between((level - v).lo().min(clear.lo()), (level - v).hi().min(clear.hi())))
 }
 
 /// A part of the beam beside a support, seen from there: the clearance of `v̂` from its nearer end on.
@@ -220,9 +294,13 @@ fn parts<'a>(
 ) -> impl Iterator<Item = Part<'a>> {
     /// Parts of a piece; only how far a proof reaches depends on it.
     const PARTS: u32 = 16;
+    /// The same where there are many pieces, as under an axial force: *tuned* on 2,000 of them.
+    const FEWER: u32 = 2;
+    const MANY: usize = 256;
     /// Parts that are looked at together: *tuned* on surveys of 2·10⁴ and 2·10⁵ points, of which one touches.
     const TOGETHER: usize = 64;
     let (gap, from, to) = (enclosed.gap, support.min(end), support.max(end));
+    let count = if enclosed.tension != 0.0 && MANY < pair.pieces.len() { FEWER } else { PARTS };
     let part = move |piece: &'a Piece, ends: [f64; 2], ground: &Polynomial| {
         let near = ends[usize::from(end < support)];
         let clearance = ground.minus(&piece.v.shifted(Interval::exact(near) - Interval::exact(piece.from)));
@@ -234,7 +312,7 @@ fn parts<'a>(
     let pieces = std::iter::from_fn(move || if end < support { left.next_back() } else { left.next() });
     let blocks = pieces.flat_map(move |piece| {
         let mut ends: Vec<f64> =
-            (0..=PARTS).map(|k| piece.from + (piece.to - piece.from) * (f64::from(k) / f64::from(PARTS))).collect();
+            (0..=count).map(|k| piece.from + (piece.to - piece.from) * (f64::from(k) / f64::from(count))).collect();
         ends.extend(gap.breaks(piece.from, piece.to));
         ends.sort_by(f64::total_cmp);
         ends.dedup();

@@ -17,7 +17,9 @@
 
 use super::kernel::contact_node::{ContactNode, EnclosedScene, EnclosedSupport, Slope};
 use super::kernel::gap::EnclosedGap;
+use super::kernel::giving::Giving;
 use super::kernel::interval::Interval;
+use super::kernel::polynomial::Polynomial;
 use super::kernel::proof::{Pair, Piece};
 use crate::scene::Scale;
 use crate::state::Contact;
@@ -40,12 +42,12 @@ pub(super) fn nodes(
         // Zones that share an end are one zone, and the end of a zone is no other contact.
         if in_zone && nodes.last().is_some_and(|node| node.x == from) {
             nodes.pop();
-            nodes.push(ContactNode::on_ground(to, true));
+            nodes.push(enclosed.end_of_zone(to));
             continue;
         }
         in_zone = from != to;
         if in_zone {
-            nodes.extend([ContactNode::start(from), ContactNode::on_ground(to, true)]);
+            nodes.extend([ContactNode::start(from), enclosed.end_of_zone(to)]);
         } else if enclosed.support(from).is_some() {
             // A point of contact at a support is the support.
         } else if from == 0.0 || from == enclosed.length || enclosed.is_edge(from) {
@@ -99,9 +101,14 @@ pub(super) fn with_touched(
 }
 
 impl EnclosedScene<'_> {
+    /// Where a zone ends: in a hinge the beam turns.
+    fn end_of_zone(&self, x: f64) -> ContactNode {
+        if self.is_hinge(x) { ContactNode::free(x) } else { ContactNode::on_ground(x, true) }
+    }
+
     /// Whether the beam may rest on a place and turn there: on a corner of the gap, or with a joint.
     fn is_edge(&self, x: f64) -> bool {
-        self.gap.is_corner(x) || self.joints.iter().any(|joint| joint.0.total_cmp(&x).is_eq())
+        self.gap.is_corner(x) || self.is_joint(x)
     }
 }
 
@@ -152,6 +159,7 @@ fn find_slopes(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
         return;
     }
     if let [node] = nodes
+        && enclosed.tension <= 0.0
         && (enclosed.balanced_at == Some(node.x) || enclosed.supports.is_empty())
         && let Slope::Free(slope) = &mut node.slope
     {
@@ -159,7 +167,11 @@ fn find_slopes(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
         along_level_ground(enclosed, nodes);
         return;
     }
-    balance(enclosed, nodes);
+    if enclosed.tension == 0.0 {
+        balance(enclosed, nodes);
+    } else {
+        as_given(enclosed, nodes);
+    }
     along_level_ground(enclosed, nodes);
     at_corners(enclosed, nodes);
 }
@@ -224,6 +236,19 @@ fn least_sample(function: impl Fn(f64) -> f64, width: f64, bound: f64) -> f64 {
     least
 }
 
+/// Under an axial force the slopes are those of the deflection that is given besides, just right of a node or, where there is none, left.
+fn as_given(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
+    for node in nodes {
+        let Slope::Free(slope) = &mut node.slope else { continue };
+        let right = enclosed.hung.iter().find(|part| part.from <= node.x && node.x < part.to);
+        let Some(part) = right.or_else(|| enclosed.hung.iter().find(|part| part.to.total_cmp(&node.x).is_eq())) else {
+            continue;
+        };
+        let turned = Polynomial::of(part.deflection.iter().map(|c| Interval::exact(*c))).derivative();
+        *slope = turned.at(Interval::length(part.from, node.x)).middle();
+    }
+}
+
 /// Finds the slopes for which the moments are balanced.
 pub(super) fn balance(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
     // The second step is for rounding.
@@ -263,6 +288,12 @@ fn changes(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Option<Vec<f6
     }
     for (row, node) in rows.iter_mut().zip(nodes).zip(&is_hinge).filter(|(_, hinge)| **hinge).map(|(both, _)| both) {
         row[3] += enclosed.load.couple(node.x).middle() / enclosed.unit();
+        let gives = enclosed.support(node.x).and_then(|support| support.gives);
+        if let Some(Giving { turning: Some([k, without]), .. }) = gives {
+            let (k, [_, slope]) = (k.middle() / enclosed.unit(), enclosed.end(node));
+            row[1] += k;
+            row[3] -= k * (slope - without).middle();
+        }
     }
     tridiagonal(rows)
 }
@@ -289,7 +320,7 @@ fn at_corners(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
         let Slope::Free(slope) = &mut node.slope else { continue };
         let [before, after] = enclosed.gap.slopes(node.x);
         // The slope of a node is that beyond its joint.
-        let before = before.filter(|_| !enclosed.joints.iter().any(|joint| joint.0.total_cmp(&node.x).is_eq()));
+        let before = before.filter(|_| !enclosed.is_joint(node.x));
         let margin = |bound: f64| INSIDE * (bound.abs() + slope.abs());
         let least = before.filter(|_| 0.0 < node.x).map_or(f64::NEG_INFINITY, |b| b + margin(b));
         let most = after.filter(|_| node.x < enclosed.length).map_or(f64::INFINITY, |a| a - margin(a));

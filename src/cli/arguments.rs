@@ -18,16 +18,15 @@ pub(super) const DEFAULT_INTERVALS: usize = 30;
 /// The solver that always ends, at an optimum.
 pub(super) const DEFAULT_SOLVER: Solver = Solver::ActiveSet;
 
-/// A beam above a rigid, uneven foundation: where does it touch, and how hard?
+/// A beam on an uneven foundation: where does it touch, and how hard?
 ///
-/// An elastic beam is held by simple or built-in supports, by one at each end if the scene does not say otherwise, or lies on the
-/// ground alone. Below it, at a known depth, lies rigid, uneven ground. Under load the beam sags and may touch the ground. palkki
-/// computes where it touches, the contact forces, the reactions of the supports, the deflection and the bending moment. Any elastic
-/// body may stand in the place of the beam, from its stiffness or flexibility matrix.
+/// palkki computes the contact, the contact forces, the reactions, the deflection and the bending moment of an elastic beam above a foundation
+/// that can only push. The supports are simple, built in or compression-only; without a list of supports there is a simple one at each end. Any
+/// elastic body, given by its stiffness or flexibility matrix, can replace the beam.
 ///
-/// The problem on two simple supports and three methods to solve it are those of M. Heinisuo, "Yksinkertainen palkki jäykällä epätasaisella
-/// alustalla", Rakenteiden Mekaniikka 17 (1984). The beam, its loads and the ground are given in a scene file;
-/// report/pages/scene-file.md has its keys, report/scenes has examples.
+/// The problem on two simple supports and the three methods on a grid are those of M. Heinisuo, "Yksinkertainen palkki jäykällä epätasaisella
+/// alustalla", Rakenteiden Mekaniikka 17 (1984). A scene file describes the beam, its loads and the foundation; report/pages/scene-file.md lists
+/// its keys, and report/scenes has examples.
 #[derive(Debug, Parser)]
 #[command(name = "palkki", version, propagate_version = true, after_help = EXIT_CODES, max_term_width = 100)]
 pub(super) struct Arguments {
@@ -111,63 +110,60 @@ Examples:
 pub(super) enum Command {
     /// Solve a scene: one method, one solver, one answer.
     ///
-    /// Without --method the answer is the exact solution of beam theory: the places where the beam lifts off are unknowns,
-    /// and there is no grid. The three methods of the paper divide the beam into equal intervals and give a quadratic program
-    /// to a solver. Every answer is checked in the same way, from the scene and the answer alone. It is certified if it solves
-    /// its discrete problem and its deflection, support forces, contact force and energy are each certain to a tenth of the largest
-    /// of its kind, or to the tolerance if that is smaller; beam theory to 1e-6. The status says how far the beam may be off. What the solver says of itself is printed too and does not count.
+    /// Without --method the solution needs no grid: its unknowns are the positions where the beam lifts off. The three methods of the paper divide the
+    /// beam into equal intervals and give a quadratic program to a solver. Every answer is checked from the scene and the answer alone. It is certified
+    /// if it solves its discrete problem and the error of the deflection, of each reaction, of the total contact force and of the energy is proven to be
+    /// at most 10 % of the largest value of each, or the tolerance if that is smaller; without a grid 1e-6. The solver's own status is printed but not
+    /// used.
     ///
-    /// With --tolerance and without --intervals the grid is refined until these errors are small enough.
+    /// With --tolerance and without --intervals the grid is refined until the proven errors are small enough.
     #[command(after_help = SOLVE_EXAMPLES)]
     Solve(Solve),
     /// Solve a scene by every method with every solver, and print the answers side by side.
     ///
-    /// Each row has its status, its time and two errors. The solver error is the difference from the answer of the
-    /// active-set solver on the same grid. The model error is the difference from the exact solution, where there is one: it
-    /// is the error of the grid. Both are the worst relative difference among end reactions, energy and largest deflection. The exit code is 0 if at least one answer passed our check.
+    /// Each row has its status, its time and two errors. The solver error is the difference from the answer of the active-set solver on the same grid.
+    /// The grid error is the difference from the grid-free solution, if there is one. Both are the largest relative difference of end reactions, energy
+    /// and largest deflection. The exit code is 0 if at least one answer passed our check.
     #[command(after_help = COMPARE_EXAMPLE)]
     Compare(Compare),
     /// Bound the error of contact forces that any program computed.
     ///
-    /// From the scene and the forces alone follow bounds on the energy from both sides and on the deflection everywhere
-    /// along the beam. They are guaranteed: that the beam stays above the ground is proven between the nodes too, and rounding
-    /// is counted in. The deflection whose error is bounded is the one that the forces cause together with the load (see --load).
-    /// Forces that pull are set to zero, and the output says so.
-    /// The exit code is 0 if that deflection is certain to a tenth of its largest value.
+    /// The bounds are proven from the scene and the forces alone: on the energy from both sides, and on the deflection along the whole beam. The
+    /// deflection is the one that the forces cause together with the load (see --load). Tensile forces are set to zero, and the output says so.
+    /// The exit code is 0 if the error of the deflection is proven to be at most 10 % of its largest value.
     #[command(after_help = CERTIFY_EXAMPLE)]
     Certify(Certify),
-    /// Vary one number of a scene: an exact answer for each value, and the values at which something happens.
+    /// Vary one number of a scene: an answer for each value, and the values at which something happens.
     ///
-    /// Each answer is that of beam theory, checked and certified by itself. Between them are the events: the values at which a
-    /// contact appears, goes, becomes a zone or a point, splits, merges or moves over an edge, at which the regime changes, or at
-    /// which a support begins or ceases to pull. They are roots of the condition that decides them, to twelve digits, and not samples.
-    /// Where there are fewer than 128 values, so many places are looked at between them; what comes and goes within a step may be
-    /// missed. The exit code is 0 if every answer is certified.
+    /// Each answer is grid-free, and checked and certified by itself. Between them are the events: the values at which a contact appears, is lost, becomes
+    /// a zone or a point, splits, merges or moves over an edge, at which the regime changes, or at which a support begins or ceases to be in tension.
+    /// Each event is a root of the condition that decides it, to twelve digits. At least 128 values are examined; an event that is undone within a
+    /// step may be missed. The exit code is 0 if every answer is certified.
     #[command(after_help = SWEEP_EXAMPLES)]
     Sweep(Sweep),
     /// Find the values of one number of a scene for which the beam reaches something.
     ///
-    /// All values between A and B are printed that the search finds, to rounding and in the order from A to B, each with the certified
-    /// answers just below and just above it. The search looks at 256 values, and closer where the condition may be met between two of
-    /// them; a condition that is met and lost again within a 256th of the range may be missed. Where the quantity jumps past the number,
-    /// as a shear force does when a load passes, the value of the jump is printed and called so.
-    /// If no value meets the condition, the nearest one is printed with what is reached there, and the exit code is 1.
+    /// The output lists all values between A and B that the search finds, to rounding and in the order from A to B, each with the certified answers just
+    /// below and just above it. The search examines 256 values, and more where the condition may be satisfied between two of them; a condition that is
+    /// satisfied and lost again within a 256th of the range may be missed. If the quantity jumps past the number, for example a shear force as a load
+    /// passes, the value of the jump is printed and marked. If no value satisfies the condition, the nearest one is printed with what is reached there,
+    /// and the exit code is 1.
     #[command(after_help = FIND_EXAMPLES)]
     Find(Find),
-    /// Print the equations of the exact answer with their numbers, to be followed by hand.
+    /// Print the equations of the grid-free solution with their numbers, to be followed by hand.
     ///
-    /// On the contacts that beam theory found: nodes and spans, the equation of three moments where two spans meet, one equation for
-    /// each side where the beam has a given slope. Each is printed with its numbers, and with what is left of it for the moments of
-    /// the answer. The foundation must be rigid. The exit code is that of solve.
+    /// On a rigid foundation these are nodes and spans, the three-moment equation where two spans meet, and one equation for each side where the beam has
+    /// a given slope. On an elastic foundation they are the equations of each link. Each equation is printed with its numbers and its residual. The exit
+    /// code is that of solve.
     #[command(after_help = EXPLAIN_EXAMPLE)]
     Explain(Explain),
     /// Write the quadratic program of a beam on a grid, for other solvers.
     ///
-    /// As a scene of its own with a [body], whose matrix and gaps or loads are files, or in the sparse variables with moments
-    /// that the libraries are given: minimise ½ xᵀ P x + qᵀ x subject to lower ≤ A x ≤ upper. names.csv says what each variable is.
+    /// Either as a scene with a [body], whose matrix and gaps or loads are files, or in the sparse variables with moments that the libraries receive:
+    /// minimise ½ xᵀ P x + qᵀ x subject to lower ≤ A x ≤ upper. names.csv lists what each variable is.
     #[command(after_help = EXPORT_EXAMPLES)]
     Export(Export),
-    /// Print what makes a shell complete commands and options, to be read by it.
+    /// Print the completions of commands and options for a shell.
     #[command(after_help = COMPLETIONS_EXAMPLE)]
     Completions {
         /// The shell that reads it
@@ -196,7 +192,7 @@ pub(super) struct SceneArgument {
 
 #[derive(Debug, Args)]
 pub(super) struct Common {
-    /// A table to read, or JSON to read on
+    /// A table for people, or JSON for programs
     #[arg(short, long, value_name = "FORMAT", value_enum, default_value_t = Format::Text)]
     pub(super) format: Format,
     #[command(flatten)]
@@ -213,15 +209,15 @@ pub(super) struct Solve {
     pub(super) solver: Option<SolverArgument>,
     #[arg(short = 'n', long, value_name = "N", allow_hyphen_values = true, value_parser = intervals, help = intervals_help())]
     pub(super) intervals: Option<usize>,
-    /// Guaranteed error of the deflection, as a share of the largest deflection
+    /// Proven error of the deflection, as a share of the largest deflection
     #[arg(short, long, value_name = "EPS", allow_hyphen_values = true, value_parser = tolerance, long_help = tolerance_help())]
     pub(super) tolerance: Option<f64>,
     #[arg(long, help = nodes_help())]
     pub(super) nodes: bool,
-    /// Of beam theory: derivatives of support forces, contacts and energy by depth, stiffness, loads and supports
+    /// Without a grid: derivatives of reactions, contacts and energy with respect to depth, stiffness, loads and supports
     #[arg(long)]
     pub(super) derivatives: bool,
-    /// Of beam theory: what is known if each depth of the ground may be off by this
+    /// Without a grid: what is known if each depth may have an error of this size
     #[arg(long, value_name = "DELTA", allow_hyphen_values = true, value_parser = depth_tolerance)]
     pub(super) depth_tolerance: Option<f64>,
     #[command(flatten)]

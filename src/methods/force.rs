@@ -20,8 +20,8 @@
 
 // Discrepancy: quadratic-program
 //
-// Equations (29)–(32), among them the quadratic program "minimise ½ xᵀA x − bᵀx, x ≥ 0", are lost. It is rebuilt from its
-// gradient (33), its optimality conditions (34), (35) and from (28), which survive.
+// Equations (29)–(32), among them the quadratic program "minimise ½ xᵀA x − bᵀx, x ≥ 0", are lost. It is rebuilt from its gradient
+// (33), its optimality conditions (34), (35) and from (28), which survive.
 
 use nalgebra::DMatrix;
 

@@ -29,6 +29,7 @@ mod sparse;
 mod springs;
 mod statics;
 pub(crate) mod supports;
+mod turns;
 
 pub use answer::{Nodal, contact_state, free_beam};
 pub use discrete::Discrete;

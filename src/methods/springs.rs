@@ -16,22 +16,20 @@
 //! Eliminating `s` would give five-moment equations, whose condition number grows like `1/κ`. At a support, one that only pushes among them, `κ = ∞`; at the outermost
 //! nodes the moment is known.
 
-use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
-
 use super::Discrete;
 use super::contact_set::ContactSet;
 use super::discrete::as_float;
-use super::divisions::LOOSE;
 use super::span::{Span, links};
+use super::turns::{SOFT, turn};
 use crate::qp::NotPositiveDefinite;
 use crate::qp::blocks::{self, Block, PENALTY};
 use crate::state::Discretisation;
 
 /// A node: its block, `κ`, and the right-hand sides.
-struct Row {
-    block: Block,
+pub(super) struct Row {
+    pub(super) block: Block,
     spring: f64,
-    right: [f64; 2],
+    pub(super) right: [f64; 2],
 }
 
 impl AsMut<Block> for Row {
@@ -99,58 +97,6 @@ pub(super) fn solve(
         if discrete.divisions().is_hinge(*node) { 0.0 } else { row.block.step[1] + 0.0 }
     };
     Ok([rows.iter().zip(nodes).map(moment).collect(), sunk])
-}
-
-/// Joints that are this many times as soft as an interval turn by an unknown of their own. As a part of `c(M)`, next to each other, they
-/// would take as many digits from the elimination: it loses none as long as whatever is on one side of a place holds it.
-const SOFT: f64 = 1e3;
-
-/// Turns a beam without its soft joints in these, each with its stiffness, by `κ M = q` to the right-hand side of its second equation:
-///
-/// ```text
-/// M + G q = q/κ      M of the loads, G of a unit turn in each joint
-/// ```
-///
-/// On contacts that let parts between hinges move, hinges are stiff by a very small amount. What moves then leaves the beam so far below
-/// the ground that a search finds contact there.
-fn turn(rows: &mut [Row], soft: &[(usize, f64)]) -> Result<(), NotPositiveDefinite> {
-    /// The second time for what rounding left.
-    const TIMES: usize = 2;
-    if soft.is_empty() {
-        return Ok(());
-    }
-    let steps = |rows: &[Row]| rows.iter().map(|row| row.block.step).collect::<Vec<_>>();
-    let mut sum = steps(rows);
-    let mut turned = Vec::with_capacity(soft.len());
-    for (i, _) in soft {
-        rows.iter_mut().for_each(|row| row.right = [0.0; 2]);
-        rows[*i].right = [0.0, 1.0];
-        blocks::solve(rows, |row| row.right);
-        turned.push(steps(rows));
-    }
-    let entry = |k: usize, j: usize| {
-        let [response, other] = [turned[j][soft[k].0][1], turned[k][soft[j].0][1]];
-        -0.5 * (response + other) + if k == j { soft[k].1 } else { 0.0 }
-    };
-    let matrix = DMatrix::from_fn(soft.len(), soft.len(), entry);
-    let least = matrix.diagonal().amax() / LOOSE;
-    let stiffened = &matrix + DMatrix::identity(soft.len(), soft.len()) * least;
-    let sound = |factor: &Cholesky<f64, Dyn>| {
-        least < factor.l_dirty().diagonal().iter().fold(f64::INFINITY, |m, d| m.min(d * d))
-    };
-    let factor = matrix.cholesky().filter(sound).or_else(|| stiffened.cholesky());
-    let factor = factor.ok_or(NotPositiveDefinite { index: soft[0].0, pivot: 0.0 })?;
-    let mut turns = DVector::zeros(soft.len());
-    for _ in 0..TIMES {
-        let missing = DVector::from_fn(soft.len(), |k, _| sum[soft[k].0][1] - soft[k].1 * turns[k]);
-        let more = factor.solve(&missing);
-        for (turned, more) in turned.iter().zip(more.iter()) {
-            sum.iter_mut().zip(turned).for_each(|(sum, turned)| (0..2).for_each(|k| sum[k] += more * turned[k]));
-        }
-        turns += more;
-    }
-    rows.iter_mut().zip(sum).for_each(|(row, step)| row.block.step = step);
-    Ok(())
 }
 
 /// The next node of a list that holds the beam.

@@ -20,7 +20,7 @@ const DIGITS: usize = 5;
 ///
 /// A [`PlotError`] for numbers that are not finite.
 pub fn envelope(scene: &Scene, vary: &str, envelope: &Envelope) -> Result<String, PlotError> {
-    let UnitLabels { length, force, moment, .. } = UnitLabels::of(scene.units());
+    let UnitLabels { length, force, moment, .. } = UnitLabels::of_axes(scene.units());
     let ends = [0.0, scene.beam().length()];
     let panel = |axis: Axis, most: &[f64], least: &[f64]| {
         let over =

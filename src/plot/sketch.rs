@@ -210,6 +210,12 @@ impl UnitLabels {
         let both = |join: &str| Some(format!("{}{join}{}", units.force.as_ref()?, units.length.as_ref()?));
         Self { length: units.length.clone(), force: units.force.clone(), pressure: both("/"), moment: both("·") }
     }
+
+    /// For axes: a scene without units has the dimension in the place of each unit.
+    pub(super) fn of_axes(units: &Units) -> Self {
+        let named = |unit: &Option<String>, dimension: &str| unit.clone().or_else(|| Some(dimension.to_owned()));
+        Self::of(&Units { length: named(&units.length, "length"), force: named(&units.force, "force") })
+    }
 }
 
 /// `1.182 kN`

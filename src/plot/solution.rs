@@ -21,19 +21,19 @@ pub fn curves(scene: &Scene, curves: &Curves, subtitle: &str) -> Result<String, 
     same_length("the deflections", &curves.deflection, &curves.x)?;
     same_length("the clearances", &curves.clearance, &curves.x)?;
     same_length("the moments", &curves.moment, &curves.x)?;
-    let units = UnitLabels::of(scene.units());
+    let (units, axes) = (UnitLabels::of(scene.units()), UnitLabels::of_axes(scene.units()));
     let foundation = foundation_line(scene, curves);
     let title = if scene.title().is_empty() { "A beam above a foundation" } else { scene.title() };
     let title = if subtitle.is_empty() { title.to_owned() } else { format!("{title}: {subtitle}") };
     let mut panels = vec![shape(scene, curves, &foundation, &units)?];
     panels.extend(clearance(scene, curves, &units)?);
     panels.push(forces(scene, curves, &units));
-    let y = Axis::new("bending moment M, on the side in tension").unit(units.moment.clone()).down();
+    let y = Axis::new("bending moment M, on the side in tension").unit(axes.moment).down();
     let moment = ("M", zip(&curves.x, &curves.moment), Color::BLUE);
-    panels.push(diagram(scene, y, moment, &curves.moment_extremes, &units)?);
-    let y = Axis::new("shear force V = dM/dx").unit(units.force.clone());
+    panels.push(diagram(scene, (y, &units.moment), moment, &curves.moment_extremes, &units)?);
+    let y = Axis::new("shear force V = dM/dx").unit(axes.force);
     let ends = Extremes::of(curves.shear.iter().map(|p| (p[0], p[1])));
-    panels.push(diagram(scene, y, ("V", curves.shear.clone(), Color::GREEN), &ends, &units)?);
+    panels.push(diagram(scene, (y, &units.force), ("V", curves.shear.clone(), Color::GREEN), &ends, &units)?);
     if let Some(last) = panels.last_mut() {
         "x".clone_into(&mut last.x.label);
     }
@@ -106,8 +106,8 @@ fn zip(x: &[f64], y: &[f64]) -> Vec<Place> {
     x.iter().zip(y).map(|(&x, &y)| [x, y]).collect()
 }
 
-fn along(scene: &Scene, units: &UnitLabels) -> Axis {
-    Axis::along("", [0.0, scene.beam().length()]).unit(units.length.clone())
+fn along(scene: &Scene) -> Axis {
+    Axis::along("x", [0.0, scene.beam().length()]).unit(UnitLabels::of_axes(scene.units()).length)
 }
 
 /// An extreme, labelled with its value and its place.
@@ -145,8 +145,8 @@ fn shape(scene: &Scene, curves: &Curves, ground: &Ground, units: &UnitLabels) ->
     } else {
         "axis w0 + v of the beam and foundation u, downwards"
     };
-    let y = Axis::new(words).unit(units.length.clone()).down().including(&[0.0]);
-    let mut panel = Panel::new(along(scene, units), y).tall(640.0);
+    let y = Axis::new(words).unit(UnitLabels::of_axes(scene.units()).length).down().including(&[0.0]);
+    let mut panel = Panel::new(along(scene), y).tall(640.0);
     panel.layers.extend(ground.pieces.iter().map(|points| Layer::Foundation { points: points.clone() }));
     let below = ground.below.iter().map(|(at, text)| Layer::words(*at, Color::BLACK, text.as_str()));
     panel.layers.extend(below);
@@ -239,9 +239,9 @@ fn clearance(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Vec<P
     let [most, small] = curves.clearance_extremes;
     finite("a clearance above a foundation", most.max)?;
     let panel = |name: &str, points: Vec<Place>, at: f64, value: f64| {
-        let y = Axis::new(name).unit(units.length.clone()).including(&[0.0]);
+        let y = Axis::new(name).unit(UnitLabels::of_axes(scene.units()).length).including(&[0.0]);
         let touching = touching(&points, curves);
-        let mut panel = Panel::new(along(scene, units), y).tall(380.0).room(1.75 * TEXT, 20.0);
+        let mut panel = Panel::new(along(scene), y).tall(380.0).room(1.75 * TEXT, 20.0);
         // Above a gap in the foundation there is none.
         let stretches =
             points.chunk_by(|a, b| a[1].is_finite() && b[1].is_finite()).filter(|part| part[0][1].is_finite());
@@ -273,13 +273,14 @@ fn forces(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Panel {
     let [least, most] = all().fold([0.0_f64; 2], |[least, most], f| [least.min(f), most.max(f)]);
     // Arrows that point downwards, at a support that holds the beam down, need their part of the height.
     let footroom = if least < 0.0 { 90.0 + HEIGHT * (-least / (most - least)) } else { 40.0 };
-    let arrows = Axis::new("forces, as arrows").unit(units.force.clone());
+    let axes = UnitLabels::of_axes(scene.units());
+    let arrows = Axis::new("forces, as arrows").unit(axes.force);
     let mut panel = if curves.pressure.is_empty() {
         let axis = Axis { padding: 0.0, ..arrows }.including(&[0.0, least, most]);
-        Panel::new(along(scene, units), axis).room(1.6 * TEXT, if least < 0.0 { 1.6 * TEXT } else { 40.0 })
+        Panel::new(along(scene), axis).room(1.6 * TEXT, if least < 0.0 { 1.6 * TEXT } else { 40.0 })
     } else {
-        let axis = Axis::new("contact pressure p, as an area").unit(units.pressure.clone()).including(&[0.0]);
-        Panel::new(along(scene, units), axis).forces(arrows).room(1.6 * TEXT, footroom)
+        let axis = Axis::new("contact pressure p, as an area").unit(axes.pressure).including(&[0.0]);
+        Panel::new(along(scene), axis).forces(arrows).room(1.6 * TEXT, footroom)
     };
     panel = panel.tall(HEIGHT);
     let area = |zone: &Vec<Place>| Layer::Area { points: zone.clone(), level: 0.0, color: Color::VERMILLION };
@@ -313,14 +314,13 @@ fn contact_arrows(forces: &[PointForce], units: &UnitLabels) -> Vec<Arrow> {
 /// A quantity along the beam as an area between its curve and the beam, with its extremes.
 fn diagram(
     scene: &Scene,
-    y: Axis,
+    (y, unit): (Axis, &Option<String>),
     (name, points, color): (&str, Vec<Place>, Color),
     e: &Extremes,
     units: &UnitLabels,
 ) -> Result<Panel, PlotError> {
-    let unit = y.unit.clone();
-    let mut panel = Panel::new(along(scene, units), y.including(&[0.0])).tall(470.0).room(1.75 * TEXT, 1.75 * TEXT);
+    let mut panel = Panel::new(along(scene), y.including(&[0.0])).tall(470.0).room(1.75 * TEXT, 1.75 * TEXT);
     panel = panel.with(Layer::zero_line([0.0, scene.beam().length()])).with(Layer::Area { points, level: 0.0, color });
-    panel.layers.extend(extremes(name, e, &unit, units)?);
+    panel.layers.extend(extremes(name, e, unit, units)?);
     Ok(panel)
 }

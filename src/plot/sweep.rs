@@ -17,8 +17,8 @@ const DIGITS: usize = 5;
 /// Up to so many events have their values beside their numbers, with fewer digits.
 const FEW: usize = 6;
 const FEW_DIGITS: usize = 3;
-/// Of more events only the lines are drawn, without numbers and words.
-const MOST_NAMED: usize = 40;
+/// Of more events only the lines are drawn, without numbers and words, which would take more room than the panels.
+const MOST_NAMED: usize = 16;
 /// Contacts of neighbouring rows that are nearer to each other than this share of the beam are one that moves.
 const NEAR: f64 = 0.02;
 
@@ -45,7 +45,7 @@ pub fn sweep(
     events: &[Event],
     title: &str,
 ) -> Result<String, PlotError> {
-    let UnitLabels { length, force, moment, .. } = UnitLabels::of(scene.units());
+    let UnitLabels { length, force, moment, .. } = UnitLabels::of_axes(scene.units());
     let panel = |label: &str, unit: &Option<String>| {
         Panel::new(value_axis(), Axis::new(label).unit(unit.clone())).tall(360.0).room(HEADROOM, 0.0)
     };
@@ -120,7 +120,7 @@ fn line(i: usize) -> Style {
 
 /// What a number is, in words, and its unit; empty where its path says it.
 fn name(quantity: Quantity, scene: &Scene) -> (&'static str, Option<String>) {
-    let UnitLabels { length, force, pressure, moment } = UnitLabels::of(scene.units());
+    let UnitLabels { length, force, pressure, moment } = UnitLabels::of_axes(scene.units());
     let stiffness = moment.as_ref().zip(length.as_ref()).map(|(moment, length)| format!("{moment}·{length}"));
     match quantity {
         Quantity::Length => ("length of the beam", length),
@@ -128,6 +128,7 @@ fn name(quantity: Quantity, scene: &Scene) -> (&'static str, Option<String>) {
         Quantity::GroundStepAt(_) => ("place where the stiffness of the ground changes", length),
         Quantity::StepAt(_) => ("place where the bending stiffness changes", length),
         Quantity::JointAt(_) => ("place of the joint", length),
+        Quantity::Tension => ("tension", force),
         Quantity::JointStiffness(_) => ("stiffness of the joint", moment),
         Quantity::Uniform => ("uniform load", pressure),
         Quantity::LinearFrom(_) | Quantity::LinearTo(_) => ("end of the distributed load", length),

@@ -120,7 +120,7 @@ impl Given {
             length: l,
             bending: bending(beam),
             joints: beam.joints().iter().map(|joint| (joint.at, joint.stiffness.map(exactly))).collect(),
-            tension: RBig::ZERO,
+            tension: exactly(beam.tension()),
             loads: parts.chain([([0.0, l], vec![exactly(load.uniform())])]).collect(),
             acting: load.concentrated().map(|acts| (acts.at, [acts.force, acts.couple].map(exactly))).collect(),
             ground: scene.foundation().map_or(Ok(Vec::new()), |ground| profile(Of::Foundation, ground, l))?,

@@ -3,7 +3,7 @@
 use super::balance::Unheld;
 use super::quantity::{Profile, ProfileKey, Quantity};
 use super::scale::Scale;
-use super::written::{against, fitting, placed, shown};
+use super::written::{against, fitting, placed, rounded, shown};
 
 /// Why a scene was refused.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -172,6 +172,24 @@ pub enum SceneError {
         quantity: Quantity,
         /// Where it acts.
         value: f64,
+    },
+    /// Compression of a beam that is not held.
+    #[error(
+        "`beam.tension` is {}: compression needs a beam that its supports hold, by two of them or a built-in one, and that no hinge leaves \
+         free to move",
+        shown(*value)
+    )]
+    CompressionUnheld {
+        /// The axial force.
+        value: f64,
+    },
+    /// Compression under which the beam has no position of rest but by chance.
+    #[error("`beam.tension` is {}: the beam buckles at {} before it touches", shown(*value), rounded(*at))]
+    Buckles {
+        /// The axial force.
+        value: f64,
+        /// At which it buckles.
+        at: f64,
     },
     /// Something that does not know a part of the scene.
     #[error("{what} cannot compute {feature} yet")]
@@ -373,6 +391,7 @@ impl SceneError {
             | Self::ValleyAtSupport { .. } => Some(Quantity::Profile(Profile::Foundation, ProfileKey::Whole)),
             Self::CornerAtBuiltIn { .. } => Some(Quantity::Profile(Profile::Shape, ProfileKey::Whole)),
             Self::NeedsRigidGround { .. } | Self::NoGroundAnywhere => Some(Quantity::GroundStiffness),
+            Self::CompressionUnheld { .. } | Self::Buckles { .. } => Some(Quantity::Tension),
             Self::NoSteps { of } => Some(of),
             Self::BetweenNodes { quantity, .. } => Some(quantity),
             Self::Unheld(_) => Some(Quantity::Supports),

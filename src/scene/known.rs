@@ -50,6 +50,15 @@ impl Scene {
         hinge.map_or(Ok(()), |_| Err(SceneError::NotKnown { what, feature: "hinges" }))
     }
 
+    /// Whether no axial force acts on the beam.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::NotKnown`] if one does, naming what asked for it.
+    pub fn has_no_tension(&self, what: &'static str) -> Result<(), SceneError> {
+        if self.beam.tension() == 0.0 { Ok(()) } else { Err(SceneError::NotKnown { what, feature: "an axial force" }) }
+    }
+
     /// Whether no support of the beam gives.
     ///
     /// # Errors

@@ -2,6 +2,7 @@
 //! solution also depends on loads and ground where supports leave the beam free to move: [`Scene::scaled`] finds its [`Balance`],
 //! or refuses it.
 
+pub(crate) mod axial;
 mod balance;
 mod beam;
 mod bend;

@@ -82,7 +82,22 @@ impl Scene {
                 return Err(SceneError::Overflow { quantity, what, value });
             }
         }
+        let tension = self.beam().tension() * length / stiffness * length;
+        if !tension.is_finite() {
+            let what = "the axial force in these units";
+            return Err(SceneError::Overflow { quantity: Quantity::Tension, what, value: tension });
+        }
         let scene = self.in_units(&scale, stiffness)?;
+        let axial = stiffness / length / length;
+        let in_units = |error| match error {
+            SceneError::Buckles { value, at } => SceneError::Buckles { value: value * axial, at: at * axial },
+            SceneError::CompressionUnheld { value } => SceneError::CompressionUnheld { value: value * axial },
+            error => error,
+        };
+        if scene.beam().tension() < 0.0 {
+            scene.is_firm("a beam under compression")?;
+        }
+        scene.beam().check_compression().map_err(in_units)?;
         let balance = Balance::of(&scene).map_err(|unheld| unheld.in_units_of(&scale))?;
         Ok(Scaled { scene, scale, balance })
     }

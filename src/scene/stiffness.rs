@@ -8,7 +8,7 @@
 use super::error::{SceneError, on_beam, positive};
 use super::quantity::Quantity;
 use super::support::LEAST_DISTANCE;
-use super::{Beam, Load};
+use super::{Beam, Load, Support};
 
 /// A place where the beam turns.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -122,9 +122,9 @@ impl Beam {
         next.checked_sub(1).map_or(self.bending_stiffness(), |i| self.steps()[i][1])
     }
 
-    /// Whether hinges leave it free to move without bending, whatever its supports hold: of the lines that it can be, with a corner in each
+    /// Whether hinges leave it free to move without bending, whatever these supports hold: of the lines that it can be, with a corner in each
     /// hinge, one is zero at all supports and has no slope where it is built in.
-    pub(super) fn is_mechanism(&self) -> bool {
+    pub(super) fn is_mechanism<'a>(&self, supports: impl Iterator<Item = &'a Support>) -> bool {
         /// A pivot that is less is zero but for rounding: places over the length of the beam are known to some units in the last place.
         const ROUNDING: f64 = 1e-12;
         let hinges: Vec<f64> =
@@ -143,7 +143,7 @@ impl Beam {
             first.into_iter().chain(hinges.iter().map(corner)).collect::<Vec<f64>>()
         };
         let mut rows: Vec<Vec<f64>> = Vec::new();
-        for support in self.holding() {
+        for support in supports {
             let x = support.at / self.length();
             rows.push(line(x, false));
             rows.extend(support.slope.map(|_| line(x, true)));

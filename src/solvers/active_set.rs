@@ -39,9 +39,9 @@
 
 // Discrepancy: beyond-four-steps
 //
-// The paper only names "some algorithm of nonlinear optimisation" to go on with. A descent from face to face that drops and
-// releases many variables at a time is our choice; see Lawson and Hanson (1974) for the step that makes it finite, and
-// Portugal, Júdice and Vicente (1994) for exchanges of many variables, which without such a step may go round in circles.
+// The paper only names "some algorithm of nonlinear optimisation" for the continuation. Our choice is a descent that fixes and
+// releases many variables at a time. Lawson and Hanson (1974) give the step that makes it finite, Portugal, Júdice and Vicente (1994)
+// exchanges of many variables, which may cycle without such a step.
 
 use super::{Answer, MOST_WORK, Run};
 use crate::qp::{FreeSet, NotPositiveDefinite, Qp, Stationary};

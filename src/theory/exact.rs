@@ -98,11 +98,6 @@ impl Exact {
         if solved { exact.with_touches(&nothing) } else { exact }
     }
 
-    /// Which of the supports that give act.
-    pub(super) fn acting(&self) -> Vec<bool> {
-        self.given.springs.iter().map(|spring| spring.acts).collect()
-    }
-
     /// With what the supports leave free: `balance` in the units of the scene, `slopes` dimensionless.
     pub(super) fn balanced(mut self, balance: Balance, slopes: Option<[f64; 2]>) -> Self {
         let unit = self.scale.depth / self.scale.length;
@@ -217,7 +212,9 @@ impl Exact {
     /// proven.
     pub(crate) fn witness(&self) -> Vec<Contact> {
         let is_in = |c: &Contact| self.idle.iter().any(|idle| idle.from <= c.from && c.to <= idle.to);
-        let mut all: Vec<Contact> = self.state.touched().into_iter().filter(|contact| !is_in(contact)).collect();
+        let stops = |c: &Contact| self.given.springs.iter().any(|s| sits_at(self.place(s.breakpoint), c.from));
+        let is_contact = |c: &Contact| !is_in(c) && (self.state.contacts.contains(c) || !stops(c));
+        let mut all: Vec<Contact> = self.state.touched().into_iter().filter(is_contact).collect();
         all.extend_from_slice(&self.idle);
         all.sort_by(|a, b| a.from.total_cmp(&b.from));
         all

@@ -11,6 +11,7 @@
 //! the work has a limit.
 
 use super::check::{Check, TOLERANCE};
+use super::exact::Exact;
 use super::list::List;
 use super::piece::derivatives;
 use super::piecewise::{AtSpring, PiecewiseScene};
@@ -62,25 +63,27 @@ fn state(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], spring: &
     let Some([v, slope, ..]) = sides[1].or(sides[0]) else { return SpringState::default() };
     let moments = sides.map(|side| side.map_or(0.0, |beam| -beam[2]));
     let shears = sides.map(|side| side.map_or(0.0, |beam| -beam[3]));
-    // Either from how far it gives, or from what jumps: of a stiff one the former has no digits, of a soft one the latter.
-    let of = |k: f64, [given, without]: [f64; 2], jump: f64, size: f64| {
-        if k * (given.abs() + without.abs()) <= size { k * (given - without) } else { jump }
-    };
     let touches = zone || node.is_some();
     let v = if touches { at.depth } else { v };
     let jump = shears[1] - shears[0] + at.force;
     let size = if touches { f64::INFINITY } else { shears[0].abs() + shears[1].abs() + at.force.abs() };
-    let force = of(spring.stiffness, [v, spring.level], jump, size);
+    let force = exerted(spring.stiffness, [v, spring.level], jump, size);
     let couple = spring.turning.map_or(0.0, |[k, without]| {
         let jump = moments[1] - moments[0] + at.couple;
         let size = moments[0].abs() + moments[1].abs() + at.couple.abs();
         match node {
             // The digits of a slope beyond its number, of one that is free.
             Some(node) => at.couple - nodes[node].couple(given),
-            None => of(-k, [slope, without], jump, if zone { f64::INFINITY } else { size }),
+            None => exerted(-k, [slope, without], jump, if zone { f64::INFINITY } else { size }),
         }
     });
     SpringState { force, couple, moments }
+}
+
+/// What a spring exerts: either from how far it gives, or from what jumps. Of a stiff one the former has no digits, of a soft one the latter,
+/// the difference of numbers of this size.
+pub(super) fn exerted(k: f64, [given, without]: [f64; 2], jump: f64, size: f64) -> f64 {
+    if k * (given.abs() + without.abs()) <= size { k * (given - without) } else { jump }
 }
 
 /// Of the supports that only push, those that would have to pull, and those that the beam would be below, each with its index.
@@ -121,35 +124,79 @@ pub(super) fn search_with(
     if let Some(acts) = acts.filter(|acts| acts.len() == given.springs.len()) {
         given = PiecewiseScene::with(scene, |i| acts[i] || !given.springs[i].pushes_only);
     }
-    let (mut fewest, mut patience) = (usize::MAX, PATIENCE);
-    let mut before: Option<Candidate> = None;
+    let mut sets = Sets { fewest: usize::MAX, patience: PATIENCE, last: None };
+    let mut acts: Vec<bool> = given.springs.iter().map(|spring| spring.acts).collect();
     let mut left = MOST[0] * given.springs.iter().filter(|spring| spring.pushes_only).count() + MOST[1];
+    let mut before: Option<Candidate> = None;
+    let mut here = given;
     loop {
-        let found = find(&given, before.as_ref().map(|found| &found.list))?;
-        let found = match before.take() {
-            Some(Candidate { steps, lists, samples, .. }) => Candidate {
-                steps: found.steps + steps,
-                lists: found.lists + lists,
-                samples: found.samples + samples,
-                ..found
-            },
-            None => found,
+        let found = find(&here, before.as_ref().map(|found| &found.list))?;
+        let work = before.as_ref().map_or([0; 3], |found| [found.steps, found.lists, found.samples]);
+        let found = Candidate {
+            steps: found.steps + work[0],
+            lists: found.lists + work[1],
+            samples: found.samples + work[2],
+            ..found
         };
-        let wrong = wrong(&given, &found.checked);
+        let wrong = wrong(&here, &found.checked);
         left -= 1;
-        if wrong.is_empty() || left == 0 {
-            return Ok((given, found.with(wrong)));
+        if wrong.is_empty() || left == 0 || !sets.next(&mut acts, &wrong, found.solved()) {
+            return Ok((here, found.with(wrong)));
         }
-        (fewest, patience) =
-            if wrong.len() < fewest { (wrong.len(), PATIENCE) } else { (fewest, patience.saturating_sub(1)) };
-        // Of a beam that nothing holds any more, one at a time as well.
-        if !found.solved() {
-            patience = 0;
-        }
-        let exchanged = if 0 < patience { &wrong[..] } else { &wrong[wrong.len() - 1..] };
-        let mut acts: Vec<bool> = given.springs.iter().map(|spring| spring.acts).collect();
-        exchanged.iter().for_each(|(i, _)| acts[*i] = !acts[*i]);
-        given = PiecewiseScene::with(scene, |i| acts[i]);
+        here = PiecewiseScene::with(scene, |i| acts[i]);
         before = Some(found);
+    }
+}
+
+/// Which sets of pressed supports are tried.
+struct Sets {
+    fewest: usize,
+    patience: usize,
+    /// The last set that has an answer, what is wrong with it, and how many of these were exchanged alone.
+    last: Option<(Vec<bool>, Vec<usize>, usize)>,
+}
+
+impl Sets {
+    /// The next set; false if there is none.
+    fn next(&mut self, acts: &mut Vec<bool>, wrong: &[(usize, Violation)], solved: bool) -> bool {
+        if let Some((last, wrong, alone)) = self.last.as_mut().filter(|_| !solved) {
+            // Without them nothing holds the beam: one of them alone.
+            acts.clone_from(last);
+            *alone += 1;
+            return wrong.len().checked_sub(*alone).map(|i| acts[wrong[i]] = !acts[wrong[i]]).is_some();
+        }
+        let all: Vec<usize> = wrong.iter().map(|(i, _)| *i).collect();
+        (self.fewest, self.patience) = if all.len() < self.fewest {
+            (all.len(), PATIENCE)
+        } else {
+            (self.fewest, self.patience.saturating_sub(1))
+        };
+        let alone = usize::from(self.patience == 0);
+        self.last = Some((acts.clone(), all.clone(), alone));
+        let exchanged = if alone == 0 { &all[..] } else { &all[all.len() - 1..] };
+        exchanged.iter().for_each(|i| acts[*i] = !acts[*i]);
+        true
+    }
+}
+
+impl Exact {
+    /// Which of the supports that give act.
+    pub(super) fn acting(&self) -> Vec<bool> {
+        self.given.springs.iter().map(|spring| spring.acts).collect()
+    }
+
+    /// Where breakpoint `i` is \[length\].
+    pub(super) fn place(&self, i: usize) -> f64 {
+        self.given.breakpoints[i].x * self.scale.length
+    }
+
+    /// Of the supports that give the force, and by how much the moment jumps because of it \[force, force · length\].
+    pub(crate) fn sprung(&self) -> Vec<[f64; 2]> {
+        let at = |spring: &AtSpring| {
+            let place = self.place(spring.breakpoint);
+            let state = self.state.supports.iter().find(|support| support.at.total_cmp(&place).is_eq());
+            state.map_or([0.0; 2], |support| [support.force, support.couple])
+        };
+        self.given.springs.iter().map(at).collect()
     }
 }

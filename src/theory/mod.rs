@@ -62,6 +62,7 @@ mod span;
 mod spread;
 mod springs;
 mod summary;
+mod tension;
 mod touching;
 mod tridiagonal;
 mod violation;

@@ -34,7 +34,7 @@ pub(super) struct Cell {
     pub(super) load_slope: f64,
     /// `e`, the bending stiffness over the least one.
     pub(super) stiffness: f64,
-    /// Of an elastic foundation its stiffness over the greatest one, zero where there is none; one on rigid ground.
+    /// Stiffness of an elastic foundation over the greatest one, zero where there is none; one on rigid ground.
     pub(super) ground: f64,
 }
 
@@ -132,6 +132,8 @@ pub(super) struct PiecewiseScene {
     /// Stretches in which a zone of contact would pull at the beam, from left to right; a point load that does so is one
     /// without length.
     pub(super) pulling: Vec<(f64, f64)>,
+    /// `N`, the axial force. Under one a span is divided at all breakpoints, and no cell is longer than [`super::tension`] can do with.
+    pub(super) tension: f64,
 }
 
 impl PiecewiseScene {
@@ -220,11 +222,13 @@ impl PiecewiseScene {
         self.shapes[self.cells[cell].shape].degree().is_some_and(|degree| degree < 2)
     }
 
-    /// `e u'''' − q` in `cell`: what drives the clearance where nothing touches, and minus the pressure where it does.
+    /// `e u'''' − N u'' − q` in `cell`: what drives the clearance where nothing touches, and minus the pressure where it does.
     pub(super) fn drive(&self, cell: usize, x: f64) -> f64 {
-        let curved = self.shapes[self.cells[cell].shape].degree().is_none_or(|d| 4 <= d);
-        let profile = if curved { self.bent(cell, x, 4) } else { 0.0 };
-        profile - self.load(cell, x)
+        let degree = self.shapes[self.cells[cell].shape].degree();
+        let profile = if degree.is_none_or(|d| 4 <= d) { self.bent(cell, x, 4) } else { 0.0 };
+        let bends = self.tension != 0.0 && degree.is_none_or(|d| 2 <= d);
+        let pulled = if bends { self.tension * self.derivative(cell, x, 2) } else { 0.0 };
+        profile - pulled - self.load(cell, x)
     }
 
     /// The same at a distance `t` from `lo`, without the waves of a profile, which follow in closed form.

@@ -39,12 +39,6 @@ impl Table {
         self.rows.len()
     }
 
-    /// Its first rows.
-    pub(crate) fn first(mut self, most: usize) -> Self {
-        self.rows.truncate(most);
-        self
-    }
-
     /// Without rows whose first cell is that of the row before: places that print alike.
     pub(crate) fn one_a_place(mut self) -> Self {
         self.rows.dedup_by(|row, before| row.first() == before.first());

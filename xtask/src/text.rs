@@ -78,7 +78,7 @@ fn grouped(number: &str) -> String {
     }
     let groups: Vec<&str> =
         digits.as_bytes().rchunks(3).rev().filter_map(|group| std::str::from_utf8(group).ok()).collect();
-    format!("{sign}{}", groups.join(" "))
+    format!("{sign}{}", groups.join("\u{202f}"))
 }
 
 /// The answer to a question.
@@ -108,7 +108,7 @@ mod tests {
             (9.9996, 4, "10.00"),
             (0.001_234_5, 2, "0.0012"),
             (0.000_012_34, 2, "1.2·10⁻⁵"),
-            (123_456.0, 3, "123 000"),
+            (123_456.0, 3, "123\u{202f}000"),
             (612.0, 2, "610"),
             (2.5e6, 2, "2.5·10⁶"),
             (-123.4, 3, "−123"),
@@ -130,6 +130,6 @@ mod tests {
     #[test]
     fn integers_in_groups() {
         let printed = [0, 999, -1000, 20_000, 1_234_567].map(count);
-        assert_eq!(printed, ["0", "999", "−1000", "20 000", "1 234 567"], "groups of three");
+        assert_eq!(printed, ["0", "999", "−1000", "20\u{202f}000", "1\u{202f}234\u{202f}567"], "groups of three");
     }
 }

@@ -9,15 +9,18 @@
 //! | start, end of a zone | `g` | `g'` | `−EI g''` | presses |
 //! | support | `d` | free, or `g'` as one that is level with the ground | continuous, or any jump that ground beside it makes | any |
 //! | built in | `d` | `φ` | any jump | any |
+//! | spring | `d + R/k`, as the witness says | free | continuous; any jump of one against turning | any |
 //!
 //! A node is described by what it does to the slope and by whether the beam lies on the ground from there to the next one. What
 //! stands at its place, a support or nothing, is said by the scene. `M = 0` at the ends of the beam, and beyond the outermost
 //! nodes `M` follows from the loads.
 
 use super::gap::EnclosedGap;
+use super::giving::{Giving, SaidSpring};
 use super::interval::Interval;
 use super::load::{EnclosedLoad, cells};
 use super::span::Span;
+use super::tension::Hung;
 use crate::scene::{Beam, Scene};
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,6 +55,8 @@ pub(crate) struct EnclosedSupport {
     /// Whether no deflection that is admissible can turn there: the beam is built in, or the ground starts at the level of the
     /// support on both sides and is smooth, so that `v ≤ g` leaves no slope but `g'`.
     pub(crate) is_fixed: bool,
+    /// What gives there.
+    pub(crate) gives: Option<Giving>,
 }
 
 /// A dimensionless scene, taken apart: all that is known of it in intervals.
@@ -74,6 +79,11 @@ pub(crate) struct EnclosedScene<'a> {
     /// Where the bending stiffness changes, and where joints are, with their stiffness; from left to right.
     pub(crate) changes: &'a [f64],
     pub(crate) joints: &'a [(f64, f64)],
+    /// Supports that give, as loads.
+    pub(crate) said: &'a [SaidSpring],
+    /// `N`, and under it what is given of the deflection between contacts, from left to right, from anybody.
+    pub(crate) tension: f64,
+    pub(crate) hung: &'a [Hung],
 }
 
 impl EnclosedSupport {
@@ -86,7 +96,7 @@ impl EnclosedSupport {
                 // Behind a step that goes down there is no ground at the level of the support.
                 [left && gap.ground.is_upper(x, true), right && gap.ground.is_upper(x, false)]
             });
-            let slope = given.slope.map(|slope| {
+            let slope = given.slope.filter(|_| given.is_built_in()).map(|slope| {
                 let side = [0, 1].into_iter().find(|side| tangent[*side]);
                 side.map_or(Interval::exact(slope) - own[1], |side| gap.jet(x, side == 0)[1])
             });
@@ -94,9 +104,35 @@ impl EnclosedSupport {
             // Ground at the level of the support may be beside it by a rounding: the beam is at one of them.
             let deflection = if at_level[0] || at_level[1] { level.hull(gap.depth(x)) } else { level };
             let is_fixed = slope.is_some() || (tangent == [true; 2] && gap.is_smooth_at(x));
-            Self { x, deflection, slope, at_level, tangent, is_fixed }
+            let gives = given.turning_stiffness.map(|_| Giving::of(given, own));
+            Self { x, deflection, slope, at_level, tangent, is_fixed, gives }
         });
         enclosed.collect()
+    }
+
+    /// A support that gives, as one at the level to which it gives under a force that is said.
+    pub(crate) fn giving(x: f64, gives: Giving, force: f64) -> Self {
+        let sunk = gives.spring.map_or(Interval::ZERO, |[k, d]| d + Interval::exact(force) / k);
+        let beside = [false; 2];
+        Self {
+            x,
+            deflection: sunk,
+            slope: None,
+            at_level: beside,
+            tangent: beside,
+            is_fixed: false,
+            gives: Some(gives),
+        }
+    }
+
+    /// Whether it only pushes.
+    pub(crate) fn pushes(&self) -> bool {
+        self.gives.is_some_and(|gives| gives.pushes)
+    }
+
+    /// Whether `M` may jump there without the ground.
+    pub(crate) fn holds_slope(&self) -> bool {
+        self.slope.is_some() || self.gives.is_some_and(|gives| gives.turning.is_some())
     }
 }
 
@@ -118,6 +154,11 @@ impl EnclosedScene<'_> {
         let changes = changes.chain(self.ground.iter().map(|(part, _)| part[0]));
         breaks.extend(changes.filter(|x| from < *x && *x < to));
         breaks
+    }
+
+    /// Whether the beam may turn at a place.
+    pub(crate) fn is_joint(&self, x: f64) -> bool {
+        self.joints.iter().any(|joint| joint.0.total_cmp(&x).is_eq())
     }
 
     /// `EI` between two places without a change between them.
@@ -156,7 +197,8 @@ impl EnclosedScene<'_> {
 
     /// `3 EI Σ 1/k` of all joints, as much as they may add to the square of a lever ([`super::reference`]) for a moment of one in each.
     pub(crate) fn soft(&self) -> f64 {
-        let soft = self.joints.iter().map(|joint| Interval::exact(3.0 * self.stiffness) / Interval::exact(joint.1));
+        let joints = self.joints.iter().filter(|joint| 0.0 < joint.1);
+        let soft = joints.map(|joint| Interval::exact(3.0 * self.stiffness) / Interval::exact(joint.1));
         soft.fold(Interval::ZERO, |sum, one| sum + one).hi()
     }
 

@@ -10,6 +10,13 @@
 //! ```
 //!
 //! A joint at the right end of a span is a part of it: the slope of the node is that beyond it.
+//!
+//! Hinges, of which a span that is no mechanism has one or two, turn by `κ` so that they have no moment: with `ρ = (b/L, a/L)` there, and
+//! the `F` and `e` of all the rest
+//!
+//! ```text
+//! F M + Σ ρ_i κ_i = φ − e,   ρ_i · M = −m₀(i):     (ρ_i · F⁻¹ ρ_j) κ_j = ρ_i · F⁻¹ (φ − e) + m₀(i)
+//! ```
 
 use super::contact_node::EnclosedScene;
 use super::interval::Interval;
@@ -22,6 +29,8 @@ pub(super) struct Flexible {
     e: [Interval; 2],
     /// `M` at the joints: their shares of the moments at both ends, and `m₀`.
     joints: Vec<(f64, f64, [Interval; 3])>,
+    /// The same at hinges.
+    pub(super) hinges: Vec<(f64, [Interval; 3])>,
     /// `M` at the two ends of each part of one stiffness, in the same way.
     pub(super) parts: Vec<([f64; 2], f64, [[Interval; 3]; 2])>,
 }
@@ -52,7 +61,8 @@ impl Flexible {
             right.push(right[right.len() - 1] + spread + force * Interval::length(cell[0], to) - couple);
         }
         right.reverse();
-        let mut found = Self { f: [Interval::ZERO; 3], e: [Interval::ZERO; 2], joints: Vec::new(), parts: Vec::new() };
+        let (joints_of, hinges, parts) = (Vec::new(), Vec::new(), Vec::new());
+        let mut found = Self { f: [Interval::ZERO; 3], e: [Interval::ZERO; 2], joints: joints_of, hinges, parts };
         for (i, cell) in cells.iter().enumerate() {
             let ([q, rise], w) = (line(*cell), Interval::length(cell[0], cell[1]));
             let [a, b] = [Interval::length(from, cell[0]) / length, Interval::length(cell[0], to) / length];
@@ -72,6 +82,10 @@ impl Flexible {
             found.parts.push((*cell, stiffness, [at(Interval::ZERO), at(w)]));
             for &(x, k) in joints.clone().filter(|(x, _)| x.total_cmp(&cell[1]).is_eq()) {
                 let [r, s, m] = at(w);
+                if k <= 0.0 {
+                    found.hinges.push((x, [r, s, m]));
+                    continue;
+                }
                 let over = |value: Interval| value / Interval::exact(k);
                 found.add([over(r * r), over(r * s), over(s * s)], [over(r * m), over(s * m)]);
                 found.joints.push((x, k, [r, s, m]));
@@ -85,18 +99,71 @@ impl Flexible {
         self.e = [0, 1].map(|k| self.e[k] + e[k]);
     }
 
-    /// How the moments at both ends answer to the slopes there: `[end][slope]`.
-    pub(super) fn answer(&self) -> [[Interval; 2]; 2] {
+    /// `F⁻¹` times what both ends turn by.
+    fn bent(&self, [a, b]: [Interval; 2]) -> [Interval; 2] {
         let [aa, ab, bb] = self.f;
         let determinant = aa * bb - ab * ab;
-        [[bb / determinant, ab / determinant], [-(ab / determinant), -(aa / determinant)]]
+        [(bb * a - ab * b) / determinant, (aa * b - ab * a) / determinant]
+    }
+
+    /// By how much hinges turn where both ends turn by so much more than the load makes them, with or without its moments; none of more
+    /// than two.
+    fn turned(&self, turns: [Interval; 2], loaded: bool) -> Vec<Interval> {
+        let times = |[r, s]: [Interval; 2], [x, y]: [Interval; 2]| r * x + s * y;
+        let of = |(_, [r, s, _]): &(f64, [Interval; 3])| [*r, *s];
+        let lacks = |hinge: &(f64, [Interval; 3])| {
+            let moment = times(of(hinge), self.bent(turns));
+            if loaded { moment + hinge.1[2] } else { moment }
+        };
+        match &self.hinges[..] {
+            [one] => vec![lacks(one) / times(of(one), self.bent(of(one)))],
+            [one, two] => {
+                let [aa, ab, bb] = [(one, one), (one, two), (two, two)].map(|(i, j)| times(of(i), self.bent(of(j))));
+                let (a, b, determinant) = (lacks(one), lacks(two), aa * bb - ab * ab);
+                vec![(bb * a - ab * b) / determinant, (aa * b - ab * a) / determinant]
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// The moments at both ends, and by how much hinges turn.
+    fn solved(&self, turns: [Interval; 2], loaded: bool) -> ([Interval; 2], Vec<Interval>) {
+        let kinks = self.turned(turns, loaded);
+        let rest = self
+            .hinges
+            .iter()
+            .zip(&kinks)
+            .fold(turns, |[a, b], ((_, [r, s, _]), kink)| [a - *r * *kink, b - *s * *kink]);
+        (self.bent(rest), kinks)
+    }
+
+    /// How the moments at both ends answer to the slopes there: `[end][slope]`.
+    pub(super) fn answer(&self) -> [[Interval; 2]; 2] {
+        let [one, none] = [Interval::exact(1.0), Interval::ZERO];
+        let ([aa, ba], _) = self.solved([one, none], false);
+        let ([ab, bb], _) = self.solved([none, -one], false);
+        [[aa, ab], [ba, bb]]
+    }
+
+    /// What both ends turn by more than the load makes them.
+    fn turns_beyond(&self, [a, b]: [Interval; 2]) -> [Interval; 2] {
+        [a - self.e[0], -b - self.e[1]]
     }
 
     /// The moments at both ends, for the slopes there from the straight line through them.
-    pub(super) fn moments(&self, [a, b]: [Interval; 2]) -> [Interval; 2] {
-        let ([[aa, ab], [ba, bb]], [turn_a, turn_b]) = (self.answer(), self.e);
-        let (a, b) = (a - turn_a, b + turn_b);
-        [aa * a + ab * b, ba * a + bb * b]
+    pub(super) fn moments(&self, slopes: [Interval; 2]) -> [Interval; 2] {
+        self.solved(self.turns_beyond(slopes), true).0
+    }
+
+    /// By how much the slope jumps at each hinge for these slopes at both ends.
+    pub(super) fn kinks_of_hinges(&self, slopes: [Interval; 2]) -> Vec<(f64, Interval)> {
+        let kinks = self.solved(self.turns_beyond(slopes), true).1;
+        self.hinges.iter().zip(kinks).map(|(hinge, kink)| (hinge.0, -kink)).collect()
+    }
+
+    /// What moment there is in each hinge for those at both ends.
+    pub(super) fn in_hinges(&self, ends: [Interval; 2]) -> impl Iterator<Item = (f64, Interval)> + '_ {
+        self.hinges.iter().map(move |(x, shares)| (*x, at(*shares, ends)))
     }
 
     /// The slopes at both ends from the straight line through them, for these moments there.

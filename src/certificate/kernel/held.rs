@@ -4,6 +4,7 @@
 use super::contact_node::{ContactNode, EnclosedScene};
 use super::distance::factor;
 use super::interval::Interval;
+use super::lines::lines;
 use super::load::cells;
 use super::polynomial::number;
 use super::pressing::PullCutOff;
@@ -11,12 +12,17 @@ use super::proof::{Pair, Piece};
 use super::reference::{Datum, Line};
 
 /// A place with what is known of the deflection there; [`None`] if what is cut off, and taken from it, uses it up.
-fn known(place: Datum, gap: f64, share: Interval) -> Option<Datum> {
+pub(super) fn known(place: Datum, gap: f64, share: Interval) -> Option<Datum> {
     if place.presses.is_infinite() {
         return Some(place);
     }
     let remains = (Interval::exact(place.presses) - share).lo();
-    let off = place.uncertainty.max((Interval::exact(gap) / Interval::exact(remains)).hi());
+    if place.energy.is_finite() {
+        // One that only pushes is pressed, and so a spring.
+        return (0.0 < remains && gap < place.energy).then_some(place);
+    }
+    let spread = Interval::exact(place.spread);
+    let off = place.uncertainty.max((spread * Interval::exact(gap) / Interval::exact(remains)).hi());
     (0.0 < remains).then_some(Datum { uncertainty: off, ..place })
 }
 
@@ -26,13 +32,17 @@ fn known(place: Datum, gap: f64, share: Interval) -> Option<Datum> {
 pub(super) fn held_by(
     enclosed: &EnclosedScene<'_>,
     turns_about: Option<f64>,
-    mut carriers: Vec<Datum>,
+    carriers: &mut [Datum],
     pieces: &[Piece],
     cut_off: &PullCutOff,
     gap_of: impl Fn([Interval; 2], f64) -> f64,
 ) -> Option<(f64, Interval, Vec<Line>)> {
+    // About a place of balance each part between hinges may turn by itself.
+    if turns_about.is_some() && enclosed.is_hinged() {
+        return None;
+    }
     let fixed = enclosed.supports.iter().filter(|s| s.is_fixed).map(|s| s.x);
-    let lines = lines(enclosed, fixed.chain(turns_about), &mut carriers);
+    let lines = lines(enclosed, fixed.chain(turns_about), carriers);
     if !lines.is_empty() {
         let carried = cut_off.carried(&lines, enclosed.stiffness, enclosed.soft());
         let gap = gap_of(carried, 0.0);
@@ -42,7 +52,13 @@ pub(super) fn held_by(
             return Some((gap, carried[1], lines));
         }
     }
-    let place = *carriers.iter().find(|place| place.to <= place.from)?;
+    if 0.0 < enclosed.tension {
+        // A string is held by one place, which carries nothing of what is cut off.
+        let carried = cut_off.carried(&[], enclosed.stiffness, enclosed.soft());
+        return Some((gap_of(carried, 0.0), carried[1], Vec::new()));
+    }
+    // A hinge turns beside one place that carries the beam.
+    let place = *carriers.iter().find(|place| place.to <= place.from && !enclosed.is_hinged())?;
     let couples: f64 = cut_off.pulls.iter().map(|pull| pull.2).sum();
     let stops = stops(enclosed, pieces, place.from, 16.0 * (couples / place.presses))?;
     // A couple is taken by the stop to which it turns the beam, and so by either.
@@ -60,12 +76,14 @@ pub(super) fn held_by(
 /// Where the beam is carried: single nodes, parts of zones, and loads that stand in them. What is taken from a part is taken in
 /// proportion to what presses there: the mean of what single places would give, of which the worst is counted.
 pub(super) fn carriers(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode], forces: &[Interval]) -> Vec<Datum> {
-    let carried = |(x, force): (f64, Interval)| {
-        if enclosed.support(x).is_some() { Datum::at(x) } else { Datum { presses: force.lo(), ..Datum::at(x) } }
+    let carried = |(x, force): (f64, Interval)| match enclosed.support(x) {
+        Some(support) => enclosed.datum(support, force),
+        None => Datum { presses: force.lo(), ..Datum::at(x) },
     };
     let mut carriers: Vec<Datum> = nodes.iter().map(|node| node.x).zip(forces.iter().copied()).map(carried).collect();
-    // Two supports hold the beam without its zones.
-    for (from, to) in nodes.windows(2).filter(|w| w[0].lies && enclosed.supports.len() < 2).map(|w| (w[0].x, w[1].x)) {
+    // Two supports hold the beam without its zones, unless there are hinges.
+    let is_held = 2 <= enclosed.holding().count() && !enclosed.is_hinged();
+    for (from, to) in nodes.windows(2).filter(|w| w[0].lies && !is_held).map(|w| (w[0].x, w[1].x)) {
         let breaks = enclosed.breaks(from, to);
         carriers.extend(breaks.iter().map(|&x| carried((x, enclosed.load.point(x)))));
         carriers.extend(cells(from, to, breaks).into_iter().flat_map(|cell| every_other(enclosed, cell, 3)));
@@ -79,10 +97,12 @@ fn every_other(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2], parts: u32) -
     let end = |k: u32| if k < parts { from + (to - from) * (f64::from(k) / f64::from(parts)) } else { to };
     let pressed = |k: u32| {
         let [from, to] = [end(k), end(k + 1)];
-        let [start, end] = [(from, false), (to, true)].map(|(x, left)| enclosed.gap.jet(x, left)[3]);
+        let [start, end] = [(from, false), (to, true)].map(|(x, left)| enclosed.gap.jet(x, left));
         let load = [from, to].map(|x| enclosed.load.line(x, [from, to])[0] * Interval::length(from, to) / number(2));
         let stiffness = Interval::exact(enclosed.stiffness_between([from, to]));
-        let presses = (stiffness * (start - end) + load[0] + load[1]).lo();
+        let presses = stiffness * (start[3] - end[3]) + load[0] + load[1];
+        let pulled = || Interval::exact(enclosed.tension) * (end[1] - start[1]);
+        let presses = if enclosed.tension == 0.0 { presses } else { presses + pulled() }.lo();
         (from < to && enclosed.breaks(from, to).is_empty()).then_some(Datum { to, presses, ..Datum::at(from) })
     };
     (0..parts).step_by(2).filter_map(pressed).collect()
@@ -95,35 +115,15 @@ pub(crate) fn hold_by_zones(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode],
     const MOST_PARTS: u32 = 256;
     let zones: Vec<[f64; 2]> = nodes.windows(2).filter(|w| w[0].lies).map(|w| [w[0].x, w[1].x]).collect();
     let parts = u32::try_from(zones.len()).ok().and_then(|zones| MOST_PARTS.checked_div(zones)).unwrap_or(0);
-    if parts < 3 || pair.lines.iter().any(|line| line.presses().is_finite()) {
+    if parts < 3 || enclosed.is_hinged() || pair.lines.iter().any(|line| line.presses().is_finite()) {
         return;
     }
     let pressed = zones.into_iter().flat_map(|zone| every_other(enclosed, zone, parts));
     let held = pressed.filter_map(|place| known(place, pair.gap, Interval::ZERO));
-    let mut places: Vec<Datum> = held.chain(enclosed.supports.iter().map(|s| Datum::at(s.x))).collect();
+    let mut places: Vec<Datum> = held.chain(enclosed.holding()).collect();
     places.sort_by(|a, b| a.from.total_cmp(&b.from));
     let lines = places.windows(2).map(|w| Line(w[0], w[1]));
     pair.zones = lines.filter(|line| line.0.to < line.1.from && line.presses().is_finite()).collect();
-}
-
-/// Whatever the beam touches: neighbouring two of its supports, and one place `at` which it cannot turn, or about which the
-/// loads are in balance; without them the best two of the places that carry it.
-pub(super) fn lines(enclosed: &EnclosedScene<'_>, at: impl Iterator<Item = f64>, carriers: &mut [Datum]) -> Vec<Line> {
-    let two = enclosed.supports.windows(2).map(|w| Line(Datum::at(w[0].x), Datum::at(w[1].x)));
-    let mut held: Vec<Line> = two.chain(at.map(|x| Line(Datum::at(x), Datum::at(x)))).collect();
-    held.sort_by(|a, b| a.0.from.total_cmp(&b.0.from));
-    if held.is_empty() { widest(carriers).into_iter().collect() } else { held }
-}
-
-/// Of places that press the two that hold the beam best: strongly, and far apart.
-fn widest(carriers: &mut [Datum]) -> Option<Line> {
-    /// Of the strongest places.
-    const MOST: usize = 64;
-    carriers.sort_by(|a, b| b.presses.total_cmp(&a.presses));
-    let strongest = &carriers[..carriers.len().min(MOST)];
-    let pairs = strongest.iter().flat_map(|a| strongest.iter().map(move |b| Line(*a, *b)));
-    let worth = |line: &Line| (line.1.from - line.0.to) * line.presses();
-    pairs.filter(|Line(a, b)| a.to < b.from).max_by(|a, b| worth(a).total_cmp(&worth(b)))
 }
 
 /// The places on the left and on the right of the single place that carries a beam at which the ground stops it if it turns: those to

@@ -110,6 +110,11 @@ impl Interval {
         self.meet(Self::between(0.0, f64::INFINITY))
     }
 
+    /// The greater one of a number and zero.
+    pub(crate) fn positive_part(self) -> Self {
+        Self { lo: self.lo.max(0.0), hi: self.hi.max(0.0) }
+    }
+
     /// The square, which is not the product of two different numbers of the interval.
     pub fn square(self) -> Self {
         (self * self).not_negative()

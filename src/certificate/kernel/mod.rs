@@ -4,7 +4,8 @@
 //! |---|---|
 //! | intervals and polynomials with interval coefficients | `interval`, `polynomial` |
 //! | enclosure of the scene: foundation, gap, load, and what is zero but for rounding | `foundation`, `gap`, `load`; `scene::pieces` |
-//! | from contact nodes to a proven pair: spans, clearances, forces that press, gap | `contact_node`, `span`, `flexibility`, `proof`, `clearance`, `pressing`, `held` |
+//! | from contact nodes to a proven pair: spans, springs, clearances, forces that press, gap | `contact_node`, `span`, `flexibility`, `giving`, `proof`, `clearance`, `pressing`, `held`, `lines` |
+//! | the same under an axial force | `tension` |
 //! | the same on ground that gives; along short stretches, and what holds the beam near by | `springs`; `walks`, `groups` |
 //! | from the gap to the error of a deflection | `reference`, `distance` |
 //!
@@ -16,8 +17,10 @@ pub(super) mod distance;
 mod flexibility;
 pub(super) mod foundation;
 pub(super) mod gap;
+pub(super) mod giving;
 pub(super) mod held;
 pub(super) mod interval;
+mod lines;
 pub(super) mod load;
 pub(super) mod polynomial;
 pub(super) mod pressing;
@@ -25,3 +28,4 @@ pub(super) mod proof;
 pub(super) mod reference;
 pub(super) mod span;
 pub(super) mod springs;
+pub(super) mod tension;

@@ -42,6 +42,14 @@ impl PullCutOff {
         }
     }
 
+    /// A moment in a hinge: beside it, a couple on each of both parts that it joins.
+    pub(crate) fn hinge(&mut self, x: f64, moment: Interval) {
+        if 0.0 < moment.magnitude() {
+            let beside = [x.next_down(), x.next_up()];
+            self.pulls.extend(beside.map(|x| ([x, x], 0.0, moment.magnitude())));
+        }
+    }
+
     /// What is cut off is carried by one of the lines each: at least `√(∫ m²/EI dx)` of the moments `m` that this takes, and at
     /// least the force at any datum of a line.
     ///
@@ -52,7 +60,9 @@ impl PullCutOff {
         let root = (number(3) * Interval::exact(stiffness)).sqrt();
         let mut sums = [Interval::ZERO; 2];
         for &(part, force, couple) in &self.pulls {
-            let bent = |line: &Line| force * line.lever(part, soft) + couple * line.lever_of_couple(part, soft);
+            let takes = |of: f64, lever: f64| if 0.0 < of { of * lever } else { 0.0 };
+            let bent =
+                |line: &Line| takes(force, line.lever(part, soft)) + takes(couple, line.lever_of_couple(part, soft));
             let best = near(lines, part).iter().map(|l| (bent(l) * OUTWARDS, l)).min_by(|a, b| a.0.total_cmp(&b.0));
             let [lever, share] = best.map_or([f64::INFINITY; 2], |(m, line)| [m, line.share(part, force, couple)]);
             sums = [sums[0] + Interval::exact(lever) / root, sums[1] + Interval::exact(share)];
@@ -61,11 +71,16 @@ impl PullCutOff {
     }
 }
 
-/// `q − EI g''''` of a cell on which the beam lies on the ground, about an origin.
+/// `q − EI g'''' + N g''` of a cell on which the beam lies on the ground, about an origin.
 pub(crate) fn pressure(enclosed: &EnclosedScene<'_>, origin: f64, cell: [f64; 2]) -> Polynomial {
     let fourth = enclosed.gap.about(origin, cell).derivative().derivative().derivative().derivative();
     let stiffness = Interval::exact(enclosed.stiffness_between(cell));
-    Polynomial::new(&enclosed.load.line(origin, cell)).minus(&fourth.times(stiffness))
+    let pressure = Polynomial::new(&enclosed.load.line(origin, cell)).minus(&fourth.times(stiffness));
+    if enclosed.tension == 0.0 {
+        return pressure;
+    }
+    let bent = enclosed.gap.about(origin, cell).derivative().derivative();
+    pressure.plus(&bent.times(Interval::exact(enclosed.tension)))
 }
 
 /// A zone, as pieces: the beam on the foundation all the way between two places, if it can lie there; and what pulls.
@@ -84,8 +99,7 @@ pub(crate) fn zone(enclosed: &EnclosedScene<'_>, ends: [f64; 2], cut_off: &mut P
         cut_off.force(x, force);
         // The moment of a beam that follows the ground does not jump, nor does that turn in a joint.
         cut_off.couple(x, couple, [false; 2]);
-        if enclosed.joints.iter().any(|joint| joint.0.total_cmp(&x).is_eq()) && !enclosed.gap.jet(x, true)[2].is_zero()
-        {
+        if enclosed.is_joint(x) && !enclosed.gap.jet(x, true)[2].is_zero() {
             return None;
         }
     }

@@ -10,7 +10,8 @@
 //! ```
 //!
 //! To prove are `g − v̂ ≥ 0` in spans, `q − EI g'''' ≥ 0` in zones, in which no couple acts, and at nodes without a support the
-//! concentrated forces `M'(x+) − M'(x−) + P ≥ 0`, with a point load `P` that stands there, and `M(x+) = M(x−) + C` with a couple `C`.
+//! concentrated forces `M'(x+) − M'(x−) + P ≥ 0`, with a point load `P` that stands there, `M(x+) = M(x−) + C` with a couple `C`, and in
+//! hinges `M = 0`.
 //!
 //! Where one of them fails, the pair is corrected until it holds: a span is lifted by `α φ` (module `clearance`), which is zero
 //! wherever the beam is pressed, and what pulls, `p⁻`, is cut off, which changes `M` by the moments of `p⁻` on the beam on two
@@ -25,13 +26,15 @@
 //! one place carries the beam, the ground beside it stops the beam from turning (`stops`), and takes couples.
 
 use super::clearance;
-use super::contact_node::{ContactNode, EnclosedScene, Slope};
+use super::contact_node::{ContactNode, EnclosedScene, EnclosedSupport, Slope};
+use super::giving;
 use super::held::{carriers, held_by};
 use super::interval::Interval;
 use super::polynomial::{Polynomial, number};
 use super::pressing::{self, PullCutOff};
 use super::reference::Line;
 use super::span::Span;
+use super::tension::Taut;
 
 /// `v̂` on a part of the beam.
 #[derive(Debug, Clone)]
@@ -64,10 +67,12 @@ pub(crate) struct Pair {
     pub(crate) lifted: f64,
     /// What an elastic foundation adds; [`None`] on a rigid one.
     pub(crate) ground: Option<Sprung>,
-    /// `½Σ k [v̂']²` of joints.
+    /// What joints and springs take up, `½Σ k [v̂']²` and so on, less the work of springs that are loads.
     pub(crate) turned: Interval,
     /// [`EnclosedScene::soft`].
     pub(crate) soft: f64,
+    /// What holds it as a string.
+    pub(crate) taut: Taut,
 }
 
 /// What a pair on an elastic foundation has besides.
@@ -86,6 +91,7 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
     // Part i is that to the left of node i.
     let ends = |i: usize| [i.checked_sub(1).map(|i| &nodes[i]), nodes.get(i)];
     let spans: Vec<Option<Span>> = (0..=nodes.len()).map(|i| enclosed.span(ends(i)[0], ends(i)[1])).collect();
+    let spans = enclosed.balanced(nodes, spans);
     let moments: Vec<_> = (0..nodes.len()).map(|i| moments(enclosed, nodes, &spans, i)).collect();
     let mut gap = Interval::ZERO;
     let (mut lifts, mut lifted) = (Interval::ZERO, 0.0_f64);
@@ -96,8 +102,7 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
         let Some(span) = span else {
             let [Some(left), Some(right)] = ends(i) else { continue };
             pieces.extend(pressing::zone(enclosed, [left.x, right.x], &mut cut_off)?);
-            shears[i] = [(left, false), (right, true)]
-                .map(|(j, left)| -(enclosed.stiffness_beside(j.x, left) * enclosed.gap.jet(j.x, left)[3]));
+            shears[i] = [(left, false), (right, true)].map(|(j, left)| enclosed.force_along(j.x, left));
             continue;
         };
         let length = Interval::length(span.from, span.to);
@@ -105,16 +110,20 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
         let [first, last] = [enclosed.load.couple(0.0), -enclosed.load.couple(enclosed.length)];
         let beside = |i: usize, side: usize, end| moments.get(i).map_or(end, |node| node.0[side]);
         let moments = [beside(i.wrapping_sub(1), 1, first), beside(i, 0, last)];
-        shears[i] = span.shears(moments);
+        shears[i] = span.shears(enclosed.tension, moments);
         gap = gap + span.work(enclosed, moments);
+        span.hinges(moments).for_each(|(x, moment)| cut_off.hinge(x, moment));
         for (x, kink) in span.kinks() {
             let k = enclosed.joints.iter().find(|joint| joint.0.total_cmp(x).is_eq()).map_or(0.0, |joint| joint.1);
             turned = turned + kink.square() * Interval::exact(0.5 * k);
         }
-        let parts = span.curves(enclosed, Vec::new());
+        let mut parts = span.curves(enclosed, Vec::new());
+        let beside = span.lift_beside(enclosed, &mut parts, ends(i))?;
         let lift = clearance::lift(enclosed, span, &parts, ends(i))?;
         let bent = lift.derivative().derivative();
-        lifts = lifts + bent.integral_of_product(&bent, length).not_negative() * stiffest;
+        let bent = bent.integral_of_product(&bent, length).not_negative() * stiffest;
+        let bent = enclosed.lifted(bent, &lift, length);
+        lifts = lifts + if beside.is_zero() { bent } else { (bent.sqrt() + beside).square() };
         lifted = lifted.max(lift.range(length).magnitude());
         pieces.extend(parts.into_iter().map(|([from, to], [v, _])| {
             let v = v.minus(&lift.shifted(Interval::length(span.from, from)));
@@ -128,30 +137,52 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
         let force = shears[i + 1][0] - shears[i][1] + enclosed.load.point(node.x);
         forces.push(force);
         let support = enclosed.support(node.x);
-        if support.is_none() {
+        if enclosed.is_hinge(node.x) && spans[i].is_none() {
+            cut_off.hinge(node.x, moments[i].0[0]);
+        }
+        let pushes = support.is_none_or(EnclosedSupport::pushes);
+        if pushes {
             cut_off.force(node.x, force);
         }
+        let mut jump = jump;
+        if let Some(gives) = support.and_then(|support| support.gives) {
+            let (state, force) = (enclosed.end(node), if pushes { force.positive_part() } else { force });
+            // Where the ground holds the slope it takes what a spring against turning does not.
+            let follows = matches!(node.slope, Slope::OfGround { .. });
+            let own = if follows { gives.jump(state[1]) } else { jump };
+            gap = gap + gives.misfit([force, own], state);
+            turned = turned + gives.energy(state);
+            jump = if follows { jump - own } else { jump };
+        }
         // Loads in balance need no couple, and what the beam is built in exerts any.
-        if turns_about.is_none() {
-            let made = |left: bool| support.is_some_and(|s| s.slope.is_some() || enclosed.order(node, left) == 2);
+        if turns_about.is_none() && !enclosed.hangs_on(nodes) {
+            let any =
+                support.is_some_and(|s| s.slope.is_some() || s.holds_slope() && matches!(node.slope, Slope::Free(_)));
+            let made = |left: bool| any || support.is_some() && enclosed.order(node, left) == 2;
             cut_off.couple(node.x, jump, [true, false].map(made));
         }
     }
-    let gap_of = |carried, off| corrected(gap, lifts, carried, off);
-    let carriers = carriers(enclosed, nodes, &forces);
-    let (gap, share, lines) = held_by(enclosed, turns_about, carriers, &pieces, &cut_off, gap_of)?;
+    let steady = Interval::exact(enclosed.steadiness());
+    (0.0 < steady.lo()).then_some(())?;
+    let [more, energy] = giving::of_loads(enclosed, &pieces);
+    let gap_of = |carried, off| (Interval::exact(corrected(gap, lifts, carried, off, steady)) + more).hi();
+    let mut carriers = carriers(enclosed, nodes, &forces);
+    let (gap, share, lines) = held_by(enclosed, turns_about, &mut carriers, &pieces, &cut_off, gap_of)?;
+    let taut = Taut::of(enclosed, carriers, gap, share);
     let corrected = Interval::around_zero(share.hi());
     let carried = nodes.iter().zip(forces).map(|(node, force)| (node.x, force + corrected)).collect();
     let (zones, ground, soft) = (Vec::new(), None, enclosed.soft());
-    Some(Pair { pieces, gap, carried, lines, zones, turns_about, lifted, ground, turned, soft })
+    let turned = turned + energy;
+    Some(Pair { pieces, gap, carried, lines, zones, turns_about, lifted, ground, turned, soft, taut })
 }
 
 /// The gap with what corrections cost: those of `v̂`, and the moments and the share of what is cut off, which is taken from places that
 /// are `off` the ground by so much.
-fn corrected(gap: Interval, lifts: Interval, [moment, share]: [Interval; 2], off: f64) -> f64 {
+fn corrected(gap: Interval, lifts: Interval, [moment, share]: [Interval; 2], off: f64, steady: Interval) -> f64 {
     let root = (number(2) * gap.not_negative()).sqrt() + lifts.sqrt() + moment;
     // What presses beside the ground has the clearance there for its gap.
-    (root.square() / number(2) + share * Interval::exact(off)).hi()
+    let gap = root.square() / number(2) + share * Interval::exact(off);
+    if steady == number(1) { gap.hi() } else { (gap / steady.square()).hi() }
 }
 
 /// Whether nodes are in order, have all supports among them, end every zone that they start, and follow the ground only where
@@ -164,7 +195,9 @@ fn is_complete(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> bool {
         let [left, right] = [true, false].map(|left| enclosed.order(node, left) == 2);
         let built_in = enclosed.support(node.x).is_some_and(|s| s.slope.is_some());
         let follows = !built_in && matches!(node.slope, Slope::OfGround { .. });
-        (!follows || left || right) && (i == 0 || !nodes[i - 1].lies || left) && (!node.lies || right)
+        // A zone ends in a hinge with any slope beyond.
+        let ends = left || enclosed.is_hinge(node.x) && enclosed.support(node.x).is_none();
+        (!follows || left || right) && (i == 0 || !nodes[i - 1].lies || ends) && (!node.lies || right)
     });
     in_order && inside && supports == enclosed.supports.len() && meet
 }
@@ -191,7 +224,7 @@ fn moments(
     });
     let couple = enclosed.load.couple(node.x);
     let held =
-        enclosed.support(node.x).is_some_and(|s| s.slope.is_some() || matches!(node.slope, Slope::OfGround { .. }));
+        enclosed.support(node.x).is_some_and(|s| s.holds_slope() || matches!(node.slope, Slope::OfGround { .. }));
     if held || given == [true; 2] {
         return (own, own[1] - own[0] - couple);
     }

@@ -19,6 +19,15 @@
 //! ```
 //!
 //! with the worst `y₁`, `y₂` of the two parts.
+//!
+//! Supports that give add what they give under a force of one at `x`, and one that holds the beam alone against turning with `k_t`
+//!
+//! ```text
+//! c = … + (1 − t)²/k₁ + t²/k₂,          c = … + 1/k + a²/k_t
+//! ```
+//!
+//! A hinge is a support of what it joins to: its `1/k` is the `c` there of the beam on the other side. A line through one says nothing of
+//! that side.
 
 /// More than a dozen roundings of a sum of products without cancellation (Higham 2002, section 3.1).
 pub(crate) const OUTWARDS: f64 = 1.0 + 32.0 * f64::EPSILON;
@@ -32,12 +41,30 @@ pub(crate) struct Datum {
     /// Infinite for a support, which exerts whatever it has to.
     pub(crate) presses: f64,
     pub(crate) uncertainty: f64,
+    /// `3 EI/k` of a support that gives, and of one that holds the beam alone against turning `3 EI/k_t`.
+    pub(crate) soft: [f64; 2],
+    /// Of one that only pushes: what it takes up, at least. It is pressed if the gap is less.
+    pub(crate) energy: f64,
+    /// By how much a force there may grow on its way to places that press.
+    pub(crate) spread: f64,
+    /// Between which places a line through it says anything: those of hinges.
+    pub(crate) reach: [f64; 2],
 }
 
 impl Datum {
     /// Where the deflection is known.
     pub(crate) fn at(x: f64) -> Self {
-        Self { from: x, to: x, presses: f64::INFINITY, uncertainty: 0.0 }
+        let far = f64::INFINITY;
+        Self {
+            from: x,
+            to: x,
+            presses: far,
+            uncertainty: 0.0,
+            soft: [0.0; 2],
+            energy: far,
+            spread: 1.0,
+            reach: [-far, far],
+        }
     }
 }
 
@@ -64,6 +91,9 @@ impl Line {
     /// of one at `x`.
     pub(crate) fn lever(&self, [a, b]: [f64; 2], soft: f64) -> f64 {
         let Self(left, right) = self;
+        if a < left.reach[0] || left.reach[1] < b {
+            return f64::INFINITY;
+        }
         let mut most = 0.0_f64;
         if left.from < b && a < right.to {
             // s r is concave with a second derivative of two.
@@ -72,11 +102,30 @@ impl Line {
         }
         let beyond = |by: f64, from_other: f64| if 0.0 < by { by * from_other.sqrt() } else { 0.0 };
         let most = most.max(beyond(b - right.from, b - left.from)).max(beyond(left.to - a, right.to - a));
-        if soft <= 0.0 {
+        let gives = self.gives([a, b]);
+        if soft <= 0.0 && gives <= 0.0 {
             return most * OUTWARDS;
         }
         let moment = (0.25 * (right.to - left.from)).max(self.beyond([a, b]));
-        (most * most + soft * moment * moment).sqrt() * OUTWARDS
+        (most * most + soft * moment * moment + gives).sqrt() * OUTWARDS
+    }
+
+    /// What supports that give add to the square of a lever.
+    fn gives(&self, [a, b]: [f64; 2]) -> f64 {
+        let Self(left, right) = self;
+        let ([soft, turns], [other, _]) = (left.soft, right.soft);
+        if soft.max(other).max(turns) <= 0.0 {
+            return 0.0;
+        }
+        let far = |place: &Datum| {
+            (a - place.from).abs().max((b - place.from).abs()).max((a - place.to).abs()).max((b - place.to).abs())
+        };
+        if right.to <= left.from {
+            return (soft + turns * far(left) * far(left)) * OUTWARDS;
+        }
+        let apart = right.from - left.to;
+        let [near, behind] = [far(right) / apart, far(left) / apart];
+        if 0.0 < apart { (soft * near * near + other * behind * behind) * OUTWARDS } else { f64::INFINITY }
     }
 
     /// At least `|1 − t| ε₁ + |t| ε₂` for `a ≤ x ≤ b`; infinite where the two parts are not apart.
@@ -97,7 +146,18 @@ impl Line {
 
     /// A couple of one at a place on a part takes moments `m` with `3 EI ∫ m²/EI dx ≤ L + 3 a`; at least the root of it.
     pub(crate) fn lever_of_couple(&self, part: [f64; 2], soft: f64) -> f64 {
-        ((self.1.to - self.0.from) + 3.0 * self.beyond(part) + soft).sqrt() * OUTWARDS
+        let (Self(left, right), apart) = (self, self.1.from - self.0.to);
+        if part[0] < left.reach[0] || left.reach[1] < part[1] {
+            return f64::INFINITY;
+        }
+        let both = left.soft[0] + right.soft[0];
+        let gives = match both.max(left.soft[1]) {
+            none if none <= 0.0 => 0.0,
+            _ if right.to <= left.from => left.soft[1],
+            _ if 0.0 < apart => both / (apart * apart),
+            _ => f64::INFINITY,
+        };
+        ((self.1.to - self.0.from) + 3.0 * self.beyond(part) + soft + gives).sqrt() * OUTWARDS
     }
 
     /// At least the force at each of the two places that a force and a couple on a part take. One place that holds the beam
@@ -105,7 +165,8 @@ impl Line {
     pub(crate) fn share(&self, part: [f64; 2], force: f64, couple: f64) -> f64 {
         let length = self.1.from - self.0.to;
         let turned = force * self.beyond(part) + couple;
-        (force + if self.0.from < self.1.to { turned / length.max(0.0) } else { 0.0 }) * OUTWARDS
+        let own = force + if self.0.from < self.1.to { turned / length.max(0.0) } else { 0.0 };
+        own * self.0.spread.max(self.1.spread) * OUTWARDS
     }
 }
 

@@ -1,20 +1,19 @@
 //! The chain of the parts of a span, solved.
 
 use super::Answer;
-use crate::qp::blocks::{Block, PENALTY, factor_towards, solve_towards};
+use crate::qp::blocks::{Block, PENALTY, factor, factor_under_tension, solve_towards};
 use crate::theory::piecewise::{AtSpring, Breakpoint, PiecewiseScene};
 use crate::theory::span::{End, FixedEnd};
+use crate::theory::tension::Tense;
 use crate::theory::way::{Prescribed, Way};
-
-/// No deflection or moment of a dimensionless beam is larger, the loads and the stiffness of which are of the order of one: a mechanism
-/// that only rounding holds moves by far more.
-const MOST: f64 = 1e12;
 
 /// A part of the span, with what its load does.
 pub(super) struct Part {
     pub(super) ends: [End; 2],
     pub(super) stiffness: f64,
     pub(super) fixed: FixedEnd,
+    /// What it does under an axial force, in the place of that.
+    pub(super) tense: Option<Tense>,
 }
 
 impl Part {
@@ -22,14 +21,19 @@ impl Part {
         self.ends[1].x - self.ends[0].x
     }
 
-    /// `h'` and `N` at both ends, from `h` and `n` there; with or without its load.
-    fn ends(&self, [h, k]: [f64; 2], [n, m]: [f64; 2], loaded: bool) -> [[f64; 2]; 2] {
+    /// `h'`, what is in balance where parts meet, and `N` at both ends, from `h` and `n` there; without an axial force the latter two are
+    /// the same.
+    fn ends(&self, [h, k]: [f64; 2], [n, m]: [f64; 2]) -> [[f64; 3]; 2] {
+        if let Some(tense) = &self.tense {
+            return tense.ends([h, k], [n, m]);
+        }
         let l = self.length();
         let (sixth, chord, rise) = (l / self.stiffness / 6.0, (k - h) / l, (m - n) / l);
-        let [own_a, own_b] = if loaded { self.own() } else { [[0.0; 2]; 2] };
+        let [own_a, own_b] = self.own();
+        let [shear_a, shear_b] = [rise + own_a[1], rise + own_b[1]];
         [
-            [chord - sixth * (2.0 * n + m) + own_a[0], rise + own_a[1]],
-            [chord + sixth * (n + 2.0 * m) + own_b[0], rise + own_b[1]],
+            [chord - sixth * (2.0 * n + m) + own_a[0], shear_a, shear_a],
+            [chord + sixth * (n + 2.0 * m) + own_b[0], shear_b, shear_b],
         ]
     }
 
@@ -51,7 +55,7 @@ pub(super) struct Place {
     /// Less what a spring makes of `h`.
     shear: f64,
     joint: f64,
-    /// `n` of a beam without moment there.
+    /// `n` of a beam without moment there: the slope of the beam jumps by `w e v'' = w (e g'' − n)`.
     straight: f64,
     spring: f64,
     turning: f64,
@@ -63,6 +67,11 @@ impl Place {
         Self { joint, straight, ..Self::default() }
     }
 
+    /// The flexibility of a joint; a hinge turns as far as it has to, which is found apart from the chain.
+    fn flexibility(&self) -> f64 {
+        if self.joint.is_finite() { self.joint } else { 0.0 }
+    }
+
     /// What happens at a breakpoint of a span that is computed in one `way`, or in its deflection from a `line`, there with its slope.
     pub(super) fn at(given: &PiecewiseScene, i: usize, in_beam: bool, line: [f64; 2]) -> Self {
         let Breakpoint { x, force, couple, step, kink, joint, .. } = given.breakpoints[i];
@@ -71,14 +80,12 @@ impl Place {
             return place.on(given.spring_at(i), line);
         }
         let [left, right] = given.cells_beside(i).map(|cell| given.derivatives(cell, x));
-        // The slope of the beam jumps by `w e v'' = w (e g'' − n)`.
-        let turned = if joint.is_finite() { joint * right[2] } else { 0.0 };
         let broken = given.breaks_at(i);
         let place = Self {
             step: if broken { step } else { 0.0 },
-            kink: if broken { kink } else { 0.0 } - turned,
+            kink: if broken { kink } else { 0.0 },
             couple: right[2] - left[2] - couple,
-            shear: right[3] - left[3] - force,
+            shear: right[3] - left[3] - force - if broken { given.tension * kink } else { 0.0 },
             joint,
             straight: right[2],
             ..Self::default()
@@ -100,6 +107,8 @@ impl Place {
 struct Row {
     block: Block,
     theta: f64,
+    /// Under an axial force `c² − n ω`.
+    left: f64,
     right: [f64; 2],
 }
 
@@ -121,7 +130,7 @@ pub(super) struct Chain<'a> {
     /// One more than parts.
     pub(super) places: &'a [Place],
     pub(super) way: &'a Way,
-    /// `n` and `N` beyond an end that a spring holds, and no node.
+    /// `n` and `N` beyond an end that a spring holds, and no node; under an axial force those of a free end.
     pub(super) beyond: [Option<[f64; 2]>; 2],
 }
 
@@ -129,30 +138,32 @@ impl Chain<'_> {
     /// `h, h', n, N` at both ends of each part, and the answer.
     pub(super) fn solve(&self) -> Option<(Vec<[[f64; 4]; 2]>, Answer)> {
         let Rows { mut rows, right, at } = self.rows();
-        // With at most two hinges, of which the link between hangs by nothing else, each side of the last one holds itself.
-        let inside = &self.places[..self.parts.len()];
-        let last_hinge = inside.iter().skip(1).rposition(|place| place.joint.is_infinite());
-        let meeting = last_hinge.map_or(rows.len() - 1, |before| at[before + 1][1]);
-        factor_towards(&mut rows, meeting, |row| row.theta);
-        let mut of = |right: &dyn Fn(usize) -> [f64; 2]| {
+        let axial = self.parts[0].tense.map(|tense| tense.force);
+        // Under an axial force towards a free end.
+        let meeting = if axial.is_some() && self.beyond[0].is_some() { 0 } else { rows.len() - 1 };
+        match axial {
+            Some(_) => factor_under_tension(&mut rows, meeting, |row| row.theta, |row| row.left),
+            None => factor(&mut rows, |row| row.theta),
+        }
+        let hinges = Hinges::of(&mut rows, self.hinges(&at), meeting)?;
+        let mut of = |right: &dyn Fn(usize) -> [f64; 2], loaded: bool| {
             rows.iter_mut().enumerate().for_each(|(i, row)| row.right = right(i));
             solve_towards(&mut rows, meeting, |row| row.right);
-            let sound = rows.iter().all(|row| row.block.failed().is_none());
+            hinges.turn(&mut rows, loaded);
+            // Under compression a part beside a free end has a negative pivot, which others make up for.
+            let is_compressed = axial.is_some_and(|force| force < 0.0);
+            let bears = |row: &Row| row.block.failed().is_none() || is_compressed && row.block.is_finite();
+            let sound = rows.iter().all(bears);
             sound.then(|| rows.iter().map(|row| row.block.step).collect::<Vec<_>>())
         };
-        let found = of(&|i| right[i])?;
-        // What nothing holds but rounding moves by any amount.
-        let hinged = self.places.iter().any(|place| place.joint.is_infinite());
-        if hinged && found.iter().flatten().any(|value| MOST < value.abs()) {
-            return None;
-        }
+        let found = of(&|i| right[i], true)?;
         let n = self.parts.len();
         let ends = [at[0][1], at[n][0]];
         let mut turned = |side: usize| {
             let unit = if side == 0 { 1.0 } else { -1.0 };
             let bent = match self.beyond[side] {
                 Some(_) => return Some([0.0; 2]),
-                None => of(&|i| [0.0, if i == ends[side] { unit } else { 0.0 }])?,
+                None => of(&|i| [0.0, if i == ends[side] { unit } else { 0.0 }], false)?,
             };
             Some(ends.map(|end| bent[end][1]))
         };
@@ -162,10 +173,18 @@ impl Chain<'_> {
             let Place { step, couple, .. } = self.places[i + 1];
             let ([h, m], [k, o]) = (found[at[i][1]], found[at[i + 1][0]]);
             let (hs, ns) = ([h, k - step], [m, o - couple]);
-            let [[a1, a3], [b1, b3]] = self.parts[i].ends(hs, ns, true);
+            let [[a1, _, a3], [b1, _, b3]] = self.parts[i].ends(hs, ns);
             [[hs[0], a1, ns[0], a3], [hs[1], b1, ns[1], b3]]
         };
         Some(((0..n).map(state).collect(), answer))
+    }
+
+    /// The rows at which hinges are, and `n` there.
+    fn hinges(&self, at: &[[usize; 2]]) -> Vec<(usize, f64)> {
+        // Where `n` is given at the right end, it has none already.
+        let free = if matches!(self.way.held[1], Prescribed::Curvature(_)) { self.parts.len() } else { at.len() };
+        let hinges = self.places[..free].iter().zip(at).filter(|(place, _)| place.joint.is_infinite());
+        hinges.map(|(place, [_, main])| (*main, place.straight)).collect()
     }
 
     /// The members; `h` and `n` of a place are those on its right side.
@@ -180,12 +199,15 @@ impl Chain<'_> {
         let mut rows: Vec<Row> = (0..count).map(|_| Row::default()).collect();
         let mut right = vec![[0.0; 2]; count];
         for (i, part) in self.parts.iter().enumerate() {
-            let third = part.length() / part.stiffness / 3.0;
             let Place { step, couple, .. } = self.places[i + 1];
-            let [[turn_a, shear_a], [turn_b, shear_b]] = part.ends([0.0, -step], [0.0, -couple], true);
+            let [[turn_a, shear_a, _], [turn_b, shear_b, _]] = part.ends([0.0, -step], [0.0, -couple]);
             let ([_, from], [to, _]) = (at[i], at[i + 1]);
+            let third = part.length() / part.stiffness / 3.0;
+            let law = part.tense.map_or([1.0 / part.length(), 0.0, third, 0.5 * third, 0.0], |tense| tense.law);
+            let [c, pull, third, off, left] = law;
             let w = rows[from].block.w + third;
-            rows[from].block = Block::new(1.0 / part.length(), w, 0.5 * third);
+            rows[from].block = Block::new(c, w, off).on_springs(-pull, 0.0);
+            rows[from].left = left;
             rows[to].block.w += third;
             right[from] = [right[from][0] - shear_a, right[from][1] - turn_a];
             right[to] = [right[to][0] + shear_b, right[to][1] + turn_b];
@@ -224,13 +246,9 @@ impl Chain<'_> {
             }
         }
         // A joint at the right end is a part of the span.
-        if place.joint.is_finite() {
-            rows[end].block.w += place.joint;
-            right[end][1] -= place.joint * place.straight;
-        } else {
-            rows[end].block.w += PENALTY;
-            right[end][1] = -PENALTY * place.straight;
-        }
+        let joint = place.flexibility();
+        rows[end].block.w += joint;
+        right[end][1] -= joint * place.straight;
     }
 }
 
@@ -239,8 +257,78 @@ impl Rows {
     fn join(&mut self, i: usize, place: &Place) {
         let [_, main] = self.at[i];
         self.rows[main].theta = place.spring;
-        self.rows[main].block.w += if place.joint.is_finite() { place.joint } else { PENALTY };
-        let bend = if place.joint.is_finite() { place.kink } else { -PENALTY * place.straight };
+        let joint = place.flexibility();
+        self.rows[main].block.w += joint;
+        let bend = place.kink - joint * place.straight;
         self.right[main] = [self.right[main][0] + place.shear, self.right[main][1] + bend];
     }
+}
+
+/// The hinges of a chain, that is factored without them: by how much each has to turn for all to have no moment. Elimination with hinges
+/// in it would divide zero by zero where a part hangs on one.
+struct Hinges {
+    /// The row of each, and `n` there of a beam without moment.
+    rows: Vec<(usize, f64)>,
+    /// The inverse of what moment a unit turn of each makes in each.
+    turns: Vec<Vec<f64>>,
+    /// The row towards which the chain is factored.
+    meeting: usize,
+}
+
+impl Hinges {
+    /// [`None`] for a mechanism.
+    fn of(rows: &mut [Row], hinges: Vec<(usize, f64)>, meeting: usize) -> Option<Self> {
+        let mut bent = Vec::with_capacity(hinges.len());
+        for &(hinge, _) in &hinges {
+            rows.iter_mut().for_each(|row| row.right = [0.0; 2]);
+            rows[hinge].right[1] = 1.0;
+            solve_towards(rows, meeting, |row| row.right);
+            bent.push(hinges.iter().map(|&(other, _)| rows[other].block.step[1]).collect());
+        }
+        Some(Self { turns: inverse(bent)?, rows: hinges, meeting })
+    }
+
+    /// Turns them in a solution of the rows.
+    fn turn(&self, rows: &mut [Row], loaded: bool) {
+        /// The second turn is for rounding.
+        const TURNS: usize = 2;
+        if self.rows.is_empty() {
+            return;
+        }
+        for _ in 0..TURNS {
+            let off =
+                |&(hinge, straight): &(usize, f64)| rows[hinge].block.step[1] - if loaded { straight } else { 0.0 };
+            let off: Vec<f64> = self.rows.iter().map(off).collect();
+            for (k, (hinge, _)) in self.rows.iter().enumerate() {
+                let turn: f64 = self.turns.iter().zip(&off).map(|(of, off)| of[k] * off).sum();
+                rows[*hinge].right[1] -= turn;
+            }
+            solve_towards(rows, self.meeting, |row| row.right);
+        }
+    }
+}
+
+/// The inverse of a small matrix, by rows; [`None`] if it is singular but for rounding.
+fn inverse(mut rows: Vec<Vec<f64>>) -> Option<Vec<Vec<f64>>> {
+    /// Of the largest entry, what a pivot is at least.
+    const ROUNDING: f64 = 1e-11;
+    let n = rows.len();
+    let most = rows.iter().flatten().fold(0.0, |most: f64, entry| most.max(entry.abs()));
+    let unit = |i: usize| (0..n).map(move |j| f64::from(u8::from(i == j)));
+    rows.iter_mut().enumerate().for_each(|(i, row)| row.extend(unit(i)));
+    for column in 0..n {
+        let pivot = (column..n).max_by(|i, j| rows[*i][column].abs().total_cmp(&rows[*j][column].abs()))?;
+        rows.swap(column, pivot);
+        let pivot = rows[column][column];
+        if pivot.abs() <= ROUNDING * most || !pivot.is_finite() {
+            return None;
+        }
+        rows[column].iter_mut().for_each(|entry| *entry /= pivot);
+        let above = rows[column].clone();
+        for (_, row) in rows.iter_mut().enumerate().filter(|(i, _)| *i != column) {
+            let factor = row[column];
+            row.iter_mut().zip(&above).for_each(|(entry, above)| *entry -= factor * above);
+        }
+    }
+    Some(rows.into_iter().map(|row| row[n..].to_vec()).collect())
 }

@@ -9,9 +9,10 @@ use crate::state::{
 };
 use crate::theory::exact::Exact;
 use crate::theory::gauss::Gauss;
+use crate::theory::giving::exerted;
 use crate::theory::list::List;
 use crate::theory::piece::{Piece, derivatives};
-use crate::theory::piecewise::{AtSupport, Breakpoint, PiecewiseScene};
+use crate::theory::piecewise::{AtSpring, AtSupport, Breakpoint, PiecewiseScene};
 use crate::theory::summary::{add_extremes, differentiated};
 use crate::theory::violation::Violation;
 
@@ -125,7 +126,7 @@ pub(in crate::theory) fn exact(
 ) -> Result<Exact, SceneError> {
     let springs = stiffness / scaled.scene.beam().bending_stiffness();
     let (quantity, what) = (Quantity::GroundStiffness, "the stiffness of the ground over that of the beam");
-    let pushed = !given.bearings.is_empty();
+    let pushed = !given.bearings.is_empty() || given.springs.iter().any(|spring| spring.pushes_only);
     let none = || match scaled.balance.in_units_of(&scaled.scale).resultant() {
         // Nothing presses on either side of the one place that carries the beam.
         Some(Resultant { force, at }) if pushed => Unheld::OnBorder { force, at }.into(),
@@ -207,8 +208,9 @@ fn state(
 ) -> ContactState {
     let lifted = given.bearings.iter().filter(|&&at| given.support_at(at).is_none());
     let lifted = lifted.map(|&at| SupportForce::pushing(given.breakpoints[at].x, 0.0));
-    let mut supports: Vec<SupportForce> =
-        (0..given.supports.len()).map(|i| support(given, parts, i, stiffness)).chain(lifted).collect();
+    let firm = (0..given.supports.len()).map(|i| support(given, parts, i, stiffness));
+    let giving = given.springs.iter().map(|spring| giving(given, parts, spring, stiffness));
+    let mut supports: Vec<SupportForce> = firm.chain(lifted).chain(giving).collect();
     supports.sort_by(|a, b| a.at.total_cmp(&b.at));
     let contact = |&[from, to]: &[f64; 2]| {
         let first = parts.partition_point(|part| part.piece.lo < from);
@@ -229,7 +231,7 @@ fn state(
         touches: Vec::new(),
         deflection: extremes(parts.iter(), |part| part.deflection.clone()),
         moment: bent.in_units(stiffness, 1.0),
-        energy: energy(given, parts, springs) * stiffness,
+        energy: (energy(given, parts, springs) + in_springs(given, parts)) * stiffness,
         pressure: Some(Pressure { max: sunk.max.max(0.0) * (springs * stiffness), at: sunk.max_at }),
         nodes: None,
     }
@@ -237,7 +239,8 @@ fn state(
 
 /// What a support carries.
 fn support(given: &PiecewiseScene, parts: &[Part], i: usize, stiffness: f64) -> SupportForce {
-    let AtSupport { breakpoint, built_in, .. } = given.supports[i];
+    let AtSupport { breakpoint, built_in, turning, .. } = given.supports[i];
+    let holds = built_in || turning.is_some();
     let x = given.breakpoints[breakpoint].x;
     let force = force(given, parts, breakpoint) * stiffness;
     if given.is_bearing(breakpoint) {
@@ -250,9 +253,51 @@ fn support(given: &PiecewiseScene, parts: &[Part], i: usize, stiffness: f64) -> 
         pushes_only: false,
         at: x,
         force,
-        moment: built_in.then_some(moment * stiffness),
-        couple: if built_in { (left[2] - right[2] + given.breakpoints[breakpoint].couple) * stiffness } else { 0.0 },
+        moment: holds.then_some(moment * stiffness),
+        couple: if holds { (left[2] - right[2] + given.breakpoints[breakpoint].couple) * stiffness } else { 0.0 },
     }
+}
+
+/// What a support that gives carries.
+fn giving(given: &PiecewiseScene, parts: &[Part], spring: &AtSpring, stiffness: f64) -> SupportForce {
+    let AtSpring { breakpoint, stiffness: k, level, turning, pushes_only, acts } = *spring;
+    let at = &given.breakpoints[breakpoint];
+    if !acts {
+        return SupportForce::pushing(at.x, 0.0);
+    }
+    let ([left, right], v) = (beside(parts, at.x), part_at(parts, at.x, false).beam(at.x)[0]);
+    let size = left[3].abs() + right[3].abs() + at.force.abs();
+    let force = exerted(k, [v, level], force(given, parts, breakpoint), size);
+    SupportForce {
+        at: at.x,
+        // Less than nothing by rounding.
+        force: if pushes_only { force.max(0.0) } else { force } * stiffness + 0.0,
+        moment: turning.map(|_| -larger_moment([left[2], right[2]]) * stiffness),
+        couple: turning.map_or(0.0, |_| (left[2] - right[2] + at.couple) * stiffness),
+        pushes_only,
+    }
+}
+
+/// What supports that give take up: `½ Σ R²/k_s + ½ Σ T²/k_t` over `EI₀`.
+fn in_springs(given: &PiecewiseScene, parts: &[Part]) -> f64 {
+    let sunk = given.acting().map(|spring| {
+        let x = given.breakpoints[spring.breakpoint].x;
+        let force = giving(given, parts, spring, 1.0).force;
+        let off = part_at(parts, x, false).beam(x)[0] - spring.level;
+        // Of the two the one with digits.
+        0.5 * if spring.stiffness * off.abs() < force.abs() {
+            spring.stiffness * off * off
+        } else {
+            force * force / spring.stiffness
+        }
+    });
+    let turned = (0..given.breakpoints.len()).filter_map(|i| Some((i, given.turning_at(i)?)));
+    let turned = turned.map(|(i, [k, _])| {
+        let [left, right] = beside(parts, given.breakpoints[i].x);
+        let couple = left[2] - right[2] + given.breakpoints[i].couple;
+        0.5 * couple * couple / k
+    });
+    sunk.sum::<f64>() + turned.sum::<f64>()
 }
 
 /// `∫₀^w` of a polynomial.

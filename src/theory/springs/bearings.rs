@@ -12,7 +12,7 @@
 //! them are exchanged at once as long as fewer become wrong.
 
 use super::{Part, ROUNDING, StretchSet, Work, beside, part_at, search};
-use crate::theory::piecewise::{AtSupport, PiecewiseScene};
+use crate::theory::piecewise::{AtSpring, AtSupport, PiecewiseScene};
 
 /// All on the wrong side are exchanged so often without a better set than any before. *Tuned*: any small number will do, since one at a
 /// time follows.
@@ -25,13 +25,18 @@ pub(super) fn search_with(
     near: &[Vec<[f64; 2]>],
 ) -> Option<(PiecewiseScene, StretchSet)> {
     let mut work = Work::default();
-    if given.bearings.is_empty() {
+    if pushing(&given) == 0 {
         let found = search(&given, springs, near, &mut work)?;
         return Some((given, found));
     }
     let all = exchange(&given, springs, near, true, &mut work);
     let is_settled = all.as_ref().is_some_and(|(_, found)| found.settled);
     if is_settled { all } else { exchange(&given, springs, near, false, &mut work).or(all) }
+}
+
+/// How many supports only push: those that hold the beam where they press, and behind them those that give.
+fn pushing(given: &PiecewiseScene) -> usize {
+    given.bearings.len() + given.springs.iter().filter(|spring| spring.pushes_only).count()
 }
 
 /// The same from all of them, or from none.
@@ -42,7 +47,7 @@ fn exchange(
     all: bool,
     work: &mut Work,
 ) -> Option<(PiecewiseScene, StretchSet)> {
-    let mut presses = vec![all; given.bearings.len()];
+    let mut presses = vec![all; pushing(given)];
     let (mut fewest, mut patience) = (usize::MAX, PATIENCE);
     loop {
         let held = holding(given, &presses);
@@ -74,6 +79,8 @@ fn holding(given: &PiecewiseScene, presses: &[bool]) -> PiecewiseScene {
         size: 0.0,
     }));
     held.supports.sort_by_key(|support| support.breakpoint);
+    let stops = held.springs.iter_mut().filter(|spring| spring.pushes_only);
+    stops.zip(&presses[given.bearings.len()..]).for_each(|(stop, presses)| stop.acts = *presses);
     held
 }
 
@@ -82,8 +89,18 @@ fn wrong(held: &PiecewiseScene, parts: &[Part], presses: &[bool]) -> Vec<usize> 
     let forces = held.supports.iter().map(|support| force(held, parts, support.breakpoint).abs());
     let force_size = forces.fold(held.total_load, f64::max);
     let size = parts.iter().fold(0.0, |most: f64, part| most.max(part.beam(part.piece.lo)[0].abs()));
+    // A stop that is pressed is below its level, one that is not is above it.
+    let is_off = |stop: &AtSpring, presses: bool| {
+        let x = held.breakpoints[stop.breakpoint].x;
+        let sunk = part_at(parts, x, false).beam(x)[0] - stop.level;
+        let nothing = ROUNDING * size.max(stop.level.abs());
+        if presses { sunk < -nothing } else { nothing < sunk }
+    };
     let is_wrong = |&i: &usize| {
-        let breakpoint = held.bearings[i];
+        let Some(&breakpoint) = held.bearings.get(i) else {
+            let stop = held.springs.iter().filter(|spring| spring.pushes_only).nth(i - held.bearings.len());
+            return stop.is_some_and(|stop| is_off(stop, presses[i]));
+        };
         if presses[i] {
             return force(held, parts, breakpoint) < -ROUNDING * force_size;
         }

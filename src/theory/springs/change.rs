@@ -37,6 +37,9 @@ impl Exact {
         scene: &Scene,
         asked: Vec<Asked>,
     ) -> Vec<Derivative> {
+        if !self.given.is_firm() {
+            return Vec::new();
+        }
         let ties = self.has_ties(scene);
         let by = |asked: Asked| {
             let is_alike = |other: &Scene| standing(scene).eq(standing(other));
@@ -126,6 +129,11 @@ impl Exact {
         for support in &mut changed.supports {
             let is_it = matches!(of, Change::Level(at) if at == support.breakpoint);
             (support.level, support.slope) = (f64::from(u8::from(is_it)), support.slope.map(|_| 0.0));
+            support.turning = support.turning.map(|[k, _]| [k, 0.0]);
+        }
+        for spring in &mut changed.springs {
+            let is_it = matches!(of, Change::Level(at) if at == spring.breakpoint);
+            (spring.level, spring.turning) = (f64::from(u8::from(is_it)), spring.turning.map(|[k, _]| [k, 0.0]));
         }
         let breakpoint = |x: f64| self.given.breakpoints.partition_point(|at| at.x < x);
         match of {

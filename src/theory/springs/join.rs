@@ -22,17 +22,22 @@ impl Beam<'_> {
         self.hang([at, self.given.length]);
     }
 
-    /// A part of the beam where nothing presses: a span between two supports or changes of the beam each. What hangs by statics beyond the
-    /// last support is one.
+    /// A part of the beam where nothing presses: a span between two supports, springs among them, or changes of the beam each. What hangs by
+    /// statics beyond the last support is one.
     fn hang(&mut self, [from, to]: [f64; 2]) {
         let (given, mut at) = (self.given, from);
         let x = |breakpoint: usize| given.breakpoints[breakpoint].x;
         let first = given.supports.partition_point(|support| x(support.breakpoint) <= from);
-        let supports: Vec<f64> =
-            given.supports[first..].iter().map(|support| x(support.breakpoint)).take_while(|x| *x <= to).collect();
+        let firm = given.supports[first..].iter().map(|support| x(support.breakpoint)).take_while(|x| *x <= to);
+        let mut supports: Vec<f64> = firm.collect();
+        if !given.springs.is_empty() {
+            supports.extend(given.acting().map(|spring| x(spring.breakpoint)).filter(|x| from < *x && *x <= to));
+            supports.sort_by(f64::total_cmp);
+        }
         let mut inside: Vec<f64> = supports.iter().copied().filter(|x| *x < to).collect();
         if let [_, ..] = given.divisions_between(from, to) {
-            let is_held = |end: f64| given.breakpoint_at(end).is_some_and(|i| given.support_at(i).is_some());
+            let holds = |i: usize| given.support_at(i).is_some() || given.spring_at(i).is_some();
+            let is_held = |end: f64| given.breakpoint_at(end).is_some_and(holds);
             let left = if from <= 0.0 && !is_held(0.0) { supports.first().copied().unwrap_or(to) } else { from };
             let right = if given.length <= to && !is_held(to) { supports.last().copied().unwrap_or(from) } else { to };
             let changes = given.divisions_between(left, right).iter().map(|&i| x(i));

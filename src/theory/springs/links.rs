@@ -22,7 +22,7 @@
 //! In a joint of the flexibility `w_j` the slope `h'` grows by `w_j M`; in a hinge `M = 0`.
 
 use crate::theory::piece::derivatives;
-use crate::theory::piecewise::{AtSupport, Cell, PiecewiseScene};
+use crate::theory::piecewise::{AtSpring, AtSupport, Cell, PiecewiseScene};
 use crate::theory::span::{End, EndCondition, fixed_end_of_load};
 
 /// Coefficients of a pressed polynomial over so many decay lengths `1/λ` at most: the next ones are less than `4ʳ ℓ⁴ʳ/(4r)! < 10⁻²⁰` of it.
@@ -130,6 +130,21 @@ impl Beam<'_> {
         Some(&self.given.supports[self.given.support_at(self.breakpoint(i)?)?])
     }
 
+    /// The support that gives at node `i`, if it acts.
+    pub(super) fn spring(&self, i: usize) -> Option<&AtSpring> {
+        self.given.spring_at(self.breakpoint(i)?)
+    }
+
+    /// Whether a support stands at node `i` that exerts a force.
+    pub(super) fn is_supported(&self, i: usize) -> bool {
+        self.support(i).is_some() || self.spring(i).is_some()
+    }
+
+    /// The stiffness of a spring against turning at node `i`, and the slope without moment.
+    pub(super) fn turning(&self, i: usize) -> Option<[f64; 2]> {
+        self.given.turning_at(self.breakpoint(i)?)
+    }
+
     /// The slope in which the beam is built in at node `i`.
     pub(super) fn built_in(&self, i: usize) -> Option<f64> {
         self.support(i).filter(|support| support.built_in)?.slope
@@ -161,6 +176,7 @@ impl Beam<'_> {
             Some(beside) if self.support(i + side).is_none() => {
                 Some(if side == 1 && beside.kind == Kind::Span { link.cells[1] } else { beside.cells[1 - side] })
             }
+            None if self.support(i + side).is_none() => Some(link.cells[side]),
             _ => None,
         }
     }

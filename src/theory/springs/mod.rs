@@ -19,6 +19,7 @@ mod coarse;
 mod join;
 mod links;
 mod search;
+mod solved;
 
 pub(super) use self::answer::{Springs, exact};
 use self::search::{Work, search};

@@ -1,6 +1,7 @@
 //! The search for the stretches that press: Newton's method, from stretches that are nearly right or from softer ground on.
 
-use super::chain::{Solved, solve};
+use super::chain::solve;
+use super::solved::Solved;
 use super::{ROUNDING, StretchSet};
 use crate::theory::bernstein::sign_changes;
 use crate::theory::piecewise::PiecewiseScene;

@@ -3,7 +3,7 @@
 //! The data of the paper are fractions, and so is the answer. The contact set comes from the route that is tested. That it is *the*
 //! contact set is then proven: equilibrium, elasticity, (34) and (35) are checked at every node, without rounding or with all of it
 //! counted in. `A` is positive definite, so there is no other optimum, and floating-point answers are compared with this one; those of
-//! all routes on the grid of the paper in the report (`report/pages/agreement.md`).
+//! all routes on the grid of the paper in the report (`report/pages/bounds.md`).
 
 use palkki::route::{Method, Solver};
 use palkki::scene::{Foundation, Scene};

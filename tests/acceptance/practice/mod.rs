@@ -1,6 +1,7 @@
 //! Beams that engineers have: nearly all are certified, and no certified number differs from that of finite elements.
 
 mod general;
+mod guide;
 
 use std::collections::BTreeMap;
 use std::fmt::Debug;

@@ -23,6 +23,7 @@ pub(crate) mod settled;
 mod springs;
 mod supports;
 mod surveys;
+mod tension;
 mod touching;
 
 use palkki::scene::Scene;

@@ -17,6 +17,8 @@ pub struct Draft {
     pub steps: Vec<[f64; 2]>,
     /// Joints.
     pub joints: Vec<Joint>,
+    /// Tension, negative for compression.
+    pub tension: f64,
     /// Uniform load.
     pub uniform: f64,
     /// Loads that vary linearly.
@@ -78,7 +80,7 @@ impl Draft {
     ///
     /// What is wrong with its numbers.
     pub fn beam(&self) -> Result<Beam, SceneError> {
-        let beam = Beam::new(self.length, self.stiffness)?.with_joints(self.joints.clone())?;
+        let beam = Beam::new(self.length, self.stiffness)?.with_joints(self.joints.clone())?.with_tension(self.tension)?;
         let beam = if self.steps.is_empty() { beam } else { beam.with_steps(self.steps.clone())? };
         let beam = match &self.supports {
             Some(supports) => beam.with_supports(supports.clone())?,
@@ -144,6 +146,9 @@ impl Draft {
         let Self { length, uniform, linear, point, couple, ground, soil, supports, shape, .. } = self;
         let mut text = format!("[beam]\nlength = {}\nbending_stiffness = {}\n", number(*length), bending);
         // Writing to a string does not fail.
+        if self.tension != 0.0 {
+            let _ = writeln!(text, "tension = {}", number(self.tension));
+        }
         if !self.joints.is_empty() {
             let _ = writeln!(text, "joints = [{}]", self.joints.iter().map(joint).collect::<Vec<_>>().join(", "));
         }
@@ -231,6 +236,7 @@ impl Draft {
                 .iter()
                 .map(|c| CoupleLoad { at: c.at * length, moment: c.moment * (force * length) })
                 .collect(),
+            tension: self.tension * (force * length / depth),
             soil: self.soil.iter().map(|[x, k]| [x * length, k * (density / depth)]).collect(),
             uniform: self.uniform * density,
             linear: self.linear.iter().map(linear).collect(),
@@ -250,6 +256,7 @@ impl From<&Scene> for Draft {
             stiffness: beam.bending_stiffness(),
             steps: beam.steps().to_vec(),
             joints: beam.joints().to_vec(),
+            tension: beam.tension(),
             uniform: load.uniform(),
             linear: load.linear().to_vec(),
             point: load.point().to_vec(),

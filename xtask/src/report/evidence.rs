@@ -132,8 +132,8 @@ impl Study<'_> {
         panels: Vec<Panel>,
         data: Table,
     ) -> Result<Drawn, Cause> {
-        let Words { title, description, .. } = self.words(name, values)?;
-        Ok((name, Figure { columns, ..Figure::new(title, description, panels) }.svg()?, data))
+        let Words { title, description, notes, .. } = self.words(name, values)?;
+        Ok((name, Figure { columns, notes, ..Figure::new(title, description, panels) }.svg()?, data))
     }
 }
 

@@ -117,7 +117,7 @@ mod tests {
         let text = rendered("{% if n == 29 %}\nn = {{ n }}, x = {{ x | fixed(1) }}, a < b\n{% endif %}\n");
         assert_eq!(text.expect("every name exists"), "n = 29, x = 1.2, a < b\n", "blocks leave no empty lines");
         let text = rendered("{{ x | sci(1) }} {{ x | digits(2) }} {{ 0.034 | percent(1) }} {{ 20000 | thousands }}");
-        assert_eq!(text.expect("finite"), "1.2·10⁰ 1.2 3.4 % 20 000");
+        assert_eq!(text.expect("finite"), "1.2·10⁰ 1.2 3.4 % 20\u{202f}000");
     }
 
     #[test]

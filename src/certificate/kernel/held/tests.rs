@@ -1,10 +1,12 @@
 //! Where a beam is carried, and which of these places hold it.
 
+use super::super::lines::widest;
 use super::*;
 use crate::certificate::in_intervals;
 use crate::certificate::kernel::contact_node::tests::{Kind, node};
 use crate::certificate::kernel::distance::on_part;
 use crate::certificate::kernel::polynomial::Polynomial;
+use crate::certificate::kernel::tension::Taut;
 use crate::scene::{Balance, Beam, Foundation, LinearLoad, Load, PointLoad, Scene};
 
 const LENGTH: f64 = 20.0;
@@ -38,7 +40,7 @@ fn outer_thirds_press_with_what_lies_on_them() {
 /// Of places that press those two hold a beam that are strong and far apart; parts that overlap do not.
 #[test]
 fn the_widest_of_the_strongest_places_hold() {
-    let part = |from: f64, to: f64, presses: f64| Datum { from, to, presses, uncertainty: 0.0 };
+    let part = |from: f64, to: f64, presses: f64| Datum { to, presses, ..Datum::at(from) };
     // Distance by the weaker force: (9 − 1) · 1 for the first two, (4 − 3) · 9 for the others.
     let mut presses = vec![part(0.0, 1.0, 1.0), part(9.0, 9.0, 1.0), part(4.0, 4.0, 9.0), part(0.5, 3.0, 9.0)];
     let held = |presses: &mut [Datum], left: f64, right: f64| {
@@ -108,6 +110,7 @@ fn parts_of_zones_hold_with_what_is_apart() {
         ground: None,
         turned: Interval::ZERO,
         soft: 0.0,
+        taut: Taut::default(),
     };
     // Far from the first line there are too many of zones, none of which is known as well.
     let (end, most) = ([LENGTH; 2], factor(GAP, STIFFNESS));

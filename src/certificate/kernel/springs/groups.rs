@@ -42,7 +42,7 @@ fn known_in(mut group: Vec<&Carrier>, gap: f64) -> Option<Datum> {
         (from, to) = (from.min(place.from), to.max(place.to));
         let uncertainty = uncertainty(gap, together);
         if uncertainty < *sunk {
-            known = Some(Datum { from, to, presses: 0.0, uncertainty });
+            known = Some(Datum { to, presses: 0.0, uncertainty, ..Datum::at(from) });
         }
     }
     known

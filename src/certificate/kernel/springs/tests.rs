@@ -53,6 +53,7 @@ fn turned<R>(
         at_level: [false; 2],
         tangent: [false; 2],
         is_fixed: built_in,
+        gives: None,
     };
     let supports: Vec<_> = supports.iter().map(support).collect();
     in_intervals(&scene, Balance::Held, |enclosed| {

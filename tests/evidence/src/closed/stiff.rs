@@ -68,17 +68,6 @@ pub struct Strip {
     pub length: f64,
     /// `g (λ²/a)^{1/3}`.
     pub gap: f64,
-    /// The largest pressure over `λF`.
-    pub pressure: f64,
-}
-
-impl Strip {
-    /// By how much more the energy of a strip is off that of rigid ground than that of a zone without a gap, `F²/(12 EI λ³)`:
-    /// `∫φ² dt / (6 sin² t sinh² t)` over a twelfth, `φ = sin t cosh t + cos t sinh t`, which is `coth³ t`.
-    #[must_use]
-    pub fn narrower(&self) -> f64 {
-        libm::pow(libm::tanh(self.length), -3.0)
-    }
 }
 
 /// See [`Strip`]; all of it is the limit of ever stiffer ground.
@@ -86,7 +75,5 @@ impl Strip {
 pub fn strip() -> Strip {
     let length = bisected(2.0, 3.0, |t| libm::tan(t) + libm::tanh(t));
     let carried = libm::sin(length) * libm::sinh(length);
-    // The largest `w` is at t = π/2.
-    let pressure = libm::cosh(std::f64::consts::FRAC_PI_2) / carried;
-    Strip { length, gap: libm::cbrt(6.0 / carried), pressure }
+    Strip { length, gap: libm::cbrt(6.0 / carried) }
 }

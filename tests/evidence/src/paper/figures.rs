@@ -2,16 +2,14 @@
 
 // Discrepancy: lost-figures
 //
-// The surviving text names Figures 2a, 2b, 4, 5c, 6, 7 and 8: there were eight, of which 4, 7 and 8 have results. The drawings
-// of all are lost, and so are the captions of Figures 7 and 8. Of Figure 4 two labels and the data of the scene survive; how it
-// drew beam theory is not known. Figures 7 and 8 show results on 30 intervals with beam theory dashed, the estimates of contact
-// pressure and of the deflected shape: we draw pressure in Figure 7, deflection in 8.
+// The surviving text names Figures 2a, 2b, 4, 5c, 6, 7 and 8, of which 4, 7 and 8 have results. All drawings are lost, and so are the
+// captions of Figures 7 and 8. Figures 7 and 8 show results on 30 intervals with beam theory dashed: we draw the contact pressure in
+// Figure 7 and the deflection in Figure 8.
 
 // Discrepancy: figure-4-intervals
 //
-// The label of Figure 4 says n = 30; the text gives n = 29 for 30 intervals, and Figures 7 and 8 have 30 intervals. So n of
-// Figure 4 counts intervals, or interior nodes of 31 intervals. We take 30 intervals, so that the three figures have one grid.
-// With 31 the scheme gives another first contact force.
+// The label of Figure 4 has n = 30; the text gives n = 29 for 30 intervals. So n of Figure 4 counts intervals, or the interior nodes
+// of 31 intervals. We use 30 intervals, as in Figures 7 and 8.
 
 use super::{INTERVALS, example, theory};
 use crate::closed::FlatSolution;

@@ -2,11 +2,8 @@
 //! that were computed with the load lumped at the nodes: those of the paper, and of springs instead of a rigid foundation. What
 //! `palkki certify` finds about them, told that the load is nodal and not told.
 
-use palkki::certificate::{
-    ContactLoad, Judged, Lumped, Violation, ViolationKind, certify, violations, violations_at_nodes,
-};
+use palkki::certificate::{ContactLoad, Judged, Lumped, Violation, ViolationKind, certify, violations_at_nodes};
 use palkki::methods::Discrete;
-use palkki::plot::{Axis, Layer, Panel, Style};
 use palkki::qp::{Explicit, Profile};
 use palkki::state::Nodes;
 use palkki::verdict::{USABLE, Verdict};
@@ -54,12 +51,11 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         held,
         random => RANDOM,
         accepted => USABLE,
-        sags => sags()?,
         forces => of_forces(of_the_paper()?.iter().chain(beside(&springs, first_stiff))),
         spaced => SPACED,
         first_stiff => power_of_ten(first_stiff),
     };
-    Evidence::new(values).data("bounds", data)?.figures([drawn(study, &springs, first_stiff)?])
+    Evidence::new(values).data("bounds", data)
 }
 
 /// Violations below this share are rounding.
@@ -80,8 +76,6 @@ struct Found {
     accepted: [bool; 2],
     /// What they violate most at the nodes under the nodal loads.
     worst: Option<Violation>,
-    /// Error of the end reaction, as a share.
-    reaction: f64,
 }
 
 impl Found {
@@ -93,14 +87,11 @@ impl Found {
         let certificates = [Judged::Forces(&load), Judged::Nodes(&lumped.nodes)];
         let [not_told, told] = certificates.map(|judged| certify(&scene, judged, &contacts));
         let certificates = [not_told?, told?];
-        // The example is symmetrical: an end reaction is half of what the forces leave.
-        let carried: f64 = forces.iter().map(|force| force.1).sum();
         Ok(Self {
             who: who.to_owned(),
             errors: certificates.each_ref().map(|c| c.deflection_error / c.deflection),
             accepted: certificates.map(|c| Verdict::of_forces(c).status == Status::Certified),
             worst: violations_at_nodes(&lumped).into_iter().next(),
-            reaction: (0.5 * (scene.load().resultant(length) - carried) / paper::theory().reaction - 1.0).abs(),
         })
     }
 }
@@ -112,7 +103,7 @@ fn of_the_paper() -> Result<[Found; 2], Cause> {
     ])
 }
 
-/// Of springs the first that are stiff enough, and those before and behind; the figure has all.
+/// Of springs the first that are stiff enough, and those before and behind.
 fn beside(springs: &[(i32, Found)], first_stiff: i32) -> impl Iterator<Item = &Found> {
     let near = springs.iter().filter(move |(exponent, _)| (exponent - first_stiff).abs() <= 1);
     near.map(|(_, found)| found)
@@ -126,24 +117,6 @@ fn of_forces<'a>(all: impl Iterator<Item = &'a Found>) -> Table {
         let [not_told, told] = found.errors.map(|error| cell(Some(error), 2));
         row![found.who, not_told, told, accepted, words(found.worst)]
     }))
-}
-
-/// How much deeper the forces of the force method let the beam sag under the distributed load: by the formula, and found.
-fn sags() -> Result<Table, Cause> {
-    let scene = paper::example()?;
-    let (length, stiffness) = (scene.beam().length(), scene.beam().bending_stiffness());
-    let mut table = Table::new(["intervals", "q Δ² l²/(96 EI)", "over the largest deflection", "violation found"]);
-    for intervals in [paper::INTERVALS, SPACED] {
-        let state = on_grid(&scene, Method::Force, Solver::ActiveSet, intervals)?.state;
-        let forces = of_nodes(nodes_of(&state)?);
-        let worst = violations(&scene, &ContactLoad::new(length, forces)?)?.into_iter().next();
-        let width = length / as_number(intervals);
-        let sag = scene.load().uniform() * width * width * length * length / (96.0 * stiffness);
-        let depth = scene.depth(0.5 * length);
-        let numbers = [Some(sag / depth), Some(sag / (depth + sag)), worst.map(|v| v.relative)];
-        table.push(row![intervals].into_iter().chain(numbers.map(|n| cell(n, 3))));
-    }
-    Ok(table)
 }
 
 fn of_nodes(nodes: &Nodes) -> Vec<(f64, f64)> {
@@ -196,24 +169,4 @@ fn spring_forces(scene: &Scene, intervals: usize, ratio: f64) -> Result<Vec<(f64
     let scale = &scaled.scale;
     let place = |i: usize| discrete.grid.place(i + 1) * scale.length;
     Ok(answer.x.iter().enumerate().map(|(i, force)| (place(i), force * scale.force)).collect())
-}
-
-/// The figure of the springs, of which the first that are accepted have the stiffness 10ᵏ.
-fn drawn(study: &Study<'_>, springs: &[(i32, Found)], first_stiff: i32) -> Result<Drawn, Cause> {
-    let places = |error: fn(&Found) -> f64| {
-        springs.iter().map(|(exponent, found)| [ten_to(*exponent), error(found)]).collect::<Vec<_>>()
-    };
-    let lines = [
-        ("certified deflection error", places(|found| found.errors[1])),
-        ("worst violation at the nodes", places(|found| found.worst.map_or(0.0, |violation| violation.relative))),
-        ("true end reaction error", places(|found| found.reaction)),
-    ];
-    let x = Axis::new("stiffness of a spring over that of the beam, k l³/48EI").log();
-    let mut panel = Panel::new(x, Axis::new("relative error").log()).tall(700.0);
-    let mut data = Table::new(["quantity", "stiffness_ratio", "relative_error"]);
-    for (k, (label, points)) in lines.into_iter().enumerate() {
-        data = data.rows(points.iter().map(|p| row![label, scientific(p[0], 0), scientific(p[1], 2)]));
-        panel = panel.with(Layer::named(points, Style::of_series(k), label));
-    }
-    study.drawn("springs", context! { first => power_of_ten(first_stiff) }, 1, vec![panel], data)
 }

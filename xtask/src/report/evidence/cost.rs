@@ -9,7 +9,7 @@ mod stopping;
 use super::population;
 use super::prelude::*;
 use crate::measure::line::{Line, Store};
-use crate::measure::plan::{EXAMPLE, LIMIT, is_survey};
+use crate::measure::plan::is_survey;
 
 /// Solvers in the order of figures and tables, the libraries among them, and the methods.
 pub(super) const SOLVERS: [&str; 5] = ["active-set", "four-step", "nsor", "clarabel", "osqp"];
@@ -44,9 +44,6 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let [advice, kept] = advice::tables(study, &store, &population::lines(study)?)?;
     let values = context! {
         made => store.provenance(),
-        limit => LIMIT,
-        finest => finest(&store),
-        nsor_gave_up => nsor_gave_up(&store),
         measured => store.lines.iter().filter(|line| line.median_s.is_some()).count(),
         price,
         stopping,
@@ -55,28 +52,4 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         kept,
     };
     Evidence::new(values).file("measurements", file).figures([price_figure, stopping_figure, runs_figure])
-}
-
-/// The finest grid of the plan, solver by solver: on the example, and on the other scenes.
-fn finest(store: &Store) -> Table {
-    Table::new(["solver", "finest grid of the example", "finest grid of the other scenes"]).rows(SOLVERS.map(
-        |solver| {
-            let finest = |example: bool| {
-                let lines =
-                    store.lines.iter().filter(|line| line.solver == solver && (line.scene == EXAMPLE) == example);
-                lines.map(|line| line.intervals).max().map_or_else(|| "–".to_owned(), count)
-            };
-            row![solver, finest(true), finest(false)]
-        },
-    ))
-}
-
-/// The finest grid of NSOR on the example, if it gave up there by every method, and the longest that it took for that \[s\].
-fn nsor_gave_up(store: &Store) -> Option<Value> {
-    let lines = ended(store, EXAMPLE);
-    let of_nsor = || lines.iter().filter(|line| line.solver == "nsor" && shown(line));
-    let intervals = of_nsor().map(|line| line.intervals).max()?;
-    let finest = || of_nsor().filter(|line| line.intervals == intervals);
-    let seconds = finest().filter_map(|line| line.median_s).max_by(f64::total_cmp)?;
-    finest().all(|line| !line.succeeded()).then(|| context! { intervals, seconds })
 }

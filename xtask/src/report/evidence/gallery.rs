@@ -33,7 +33,11 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         overview,
         cards => all.iter().map(|shown| shown.card.clone()).collect::<Value>(),
         soft => soft.iter().map(|shown| shown.card.clone()).collect::<Value>(),
+        practice_count => practice.len(),
+        practice_certified => practice.iter().filter(|shown| shown.certified).count(),
         practice => practice.iter().map(|shown| shown.card.clone()).collect::<Value>(),
+        soft_count => soft.len(),
+        soft_certified => soft.iter().filter(|shown| shown.certified).count(),
     };
     let pictures = all.iter().map(|shown| (shown.name.as_str(), &shown.scene, &shown.curves));
     let Words { title, description, .. } = study.words("sheet", context! {})?;
@@ -63,23 +67,27 @@ pub(super) struct Shown {
 
 /// The scenes of a directory; the names of their figures begin with `prefix`.
 pub(super) fn shown(study: &Study<'_>, directory: &str, prefix: &str) -> Result<Vec<Shown>, Cause> {
+    let folder = directory.trim_start_matches(scenes::GALLERY).trim_start_matches('/');
     let shown = |(name, scene): (String, Scene)| -> Result<Shown, Cause> {
         let exact = theory::solve(&scene)?;
         let verdict = Verdict::of_exact(&scene, &exact, &Demand::default());
-        let file = files::text(study.root, &format!("{directory}/{name}.toml"))?;
+        let text = files::text(study.root, &format!("{directory}/{name}.toml"))?;
         let curves = Curves::exact(&scene, &exact);
         let within = verdict.certificate.as_ref().map(|c| bound((c.deflection_error / c.deflection).max(f64::EPSILON)));
         // The comment at the head of a scene file.
-        let head = file.lines().take_while(|line| line.starts_with('#'));
+        let head = text.lines().take_while(|line| line.starts_with('#'));
         let story = head.map(|line| line.trim_start_matches('#').trim()).collect::<Vec<_>>().join(" ");
         let certified = verdict.status == Status::Certified;
         let formula = closed(&scene).map(|(formula, _)| formula);
-        let svg = palkki::plot::curves(&scene, &curves, "exact solution")?;
+        let svg = palkki::plot::curves(&scene, &curves, "grid-free solution")?;
+        let figure = format!("{prefix}-{name}");
+        let file = if folder.is_empty() { name.clone() } else { format!("{folder}/{name}") };
+        let (title, page) = (markdown_text(scene.title()), file.replace('/', "__"));
         Ok(Shown {
             within: within.unwrap_or_else(|| "–".to_owned()),
             certified,
-            card: context! { name => name.as_str(), title => markdown_text(scene.title()), story, certified, formula },
-            figure: (format!("{prefix}-{name}"), svg, table(&curves)),
+            card: context! { name => name.as_str(), title, story, certified, formula, file, page, figure => figure.as_str() },
+            figure: (figure, svg, table(&curves)),
             curves,
             exact,
             name,

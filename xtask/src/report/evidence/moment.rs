@@ -57,10 +57,11 @@ fn near_lift_off(scene: &Scene, exact: &Exact) -> Result<Panel, Cause> {
     let [from, to] = [0.7, 1.4].map(|share: f64| share * lift_off);
     let places = (0..=SAMPLES).map(|i| from + (to - from) * f64::from(i) / f64::from(SAMPLES));
     let dashed = places.map(|x| [x, exact.moment(x)]).collect();
-    let axis = Axis::new("bending moment M, downwards").down();
+    let axis = Axis::new("bending moment M, downwards [force·length]").down();
     // The names stand one below the other where no moment is.
     let mut name = [0.75 * to + 0.25 * from, 0.2];
-    let mut panel = Panel::new(Axis::along("x", [from, to]), axis).tall(800.0).with(Layer::zero_line([from, to]));
+    let mut panel =
+        Panel::new(Axis::along("x [length]", [from, to]), axis).tall(800.0).with(Layer::zero_line([from, to]));
     for (intervals, color, marker) in DRAWN {
         let state = on_grid(scene, Method::Force, Solver::ActiveSet, intervals)?.state;
         let nodes = nodes_of(&state)?;

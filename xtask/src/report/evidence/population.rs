@@ -9,10 +9,6 @@ use super::prelude::*;
 use crate::data;
 use crate::measure::population::{GRIDS, Line, METHODS, PATH, SCENES};
 
-/// Grids of the table of support forces, and the grid of the table of all observables.
-const TOLD: [usize; 3] = [30, 100, 1000];
-const ON: usize = 1000;
-
 /// Errors below this are rounding of the answers, and no slope is fitted to them.
 const MEANINGLESS: f64 = 1e-12;
 
@@ -39,12 +35,6 @@ impl Spread {
         numbers.sort_by(f64::total_cmp);
         let (&least, &worst) = (numbers.first()?, numbers.last()?);
         Some(Self { least, median: data::median(&numbers)?, worst, count: numbers.len() })
-    }
-
-    /// `median / worst`, in per cent.
-    pub(super) fn percent(spread: Option<Self>) -> String {
-        let percent = |value: f64| cell(Some(100.0 * value), 2);
-        spread.map_or_else(|| "–".to_owned(), |s| format!("{} / {}", percent(s.median), percent(s.worst)))
     }
 
     /// `median (least–most)`.
@@ -98,21 +88,10 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         Family::ALL.map(|family| [family.name().to_owned()].into_iter().chain(cells(family)).collect::<Vec<_>>())
     };
     let digit = |family: Family, of: usize| orders(&lines, family, force, of).map(one_digit);
-    let mut of_grids = TOLD.map(|grid| format!("{} intervals", count(grid))).to_vec();
-    of_grids.push("one more digit".to_owned());
-    let supports = Table::new(header("ground", of_grids)).rows(rows(&|family| {
-        let on_grids = TOLD.map(|grid| Spread::percent(on(&lines, family, force, grid, 0)));
-        on_grids.into_iter().chain([format!("× {}", Spread::range(digit(family, 0)))]).collect()
-    }));
-    let observables = Table::new(all("ground"))
-        .rows(rows(&|family| (0..5).map(|of| Spread::percent(on(&lines, family, force, ON, of))).collect()));
     let rule =
-        Table::new(all("ground")).rows(rows(&|family| (0..5).map(|of| Spread::range(digit(family, of))).collect()));
-    let by_method = METHODS.map(|method| {
-        Table::new(all("ground"))
-            .rows(rows(&|family| (0..5).map(|of| Spread::range(orders(&lines, family, method, of))).collect()))
-    });
-    let [differences, elements] = by_method;
+        Table::new(all("foundation")).rows(rows(&|family| (0..5).map(|of| Spread::range(digit(family, of))).collect()));
+    let orders = Table::new(all("foundation"))
+        .rows(rows(&|family| (0..5).map(|of| Spread::range(orders(&lines, family, force, of))).collect()));
     let [side_by_side, side_by_side_most] =
         [|s: Spread| s.median, |s: Spread| s.worst].map(|of| side_by_side(&lines, of));
     let medians = |of: usize| Family::ALL.map(|family| digit(family, of).map_or(f64::NAN, |s| s.median));
@@ -120,7 +99,6 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         let uneven = range(medians(of)[1..].iter().copied());
         context! { flat => medians(of)[0], least => uneven.map(|r| r[0]), most => uneven.map(|r| r[1]) }
     };
-    let at_thirty = |family: Family| on(&lines, family, force, TOLD[0], 0).map(|s| s.worst);
     let median = |family, grid| on(&lines, family, force, grid, 0).map(|s| s.median);
     let hundredfold = range(
         Family::ALL
@@ -131,21 +109,17 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     // Of the moment nothing is guaranteed.
     let errors = adaptive.clone().filter_map(|line| line.errors()).flat_map(|[a, b, c, _, d]| [a, b, c, d]);
     let second = lines.iter().filter(|line| line.draw == 2 && line.method == "exact");
-    let uneven_at_thirty = range(Family::ALL[1..].iter().filter_map(|family| at_thirty(*family)));
     let values = context! {
         scenes => SCENES[0],
         families => Family::ALL.len(),
         coarsest => GRIDS[0],
         finest => GRIDS[GRIDS.len() - 1],
-        supports, observables, rule, differences, elements, side_by_side, side_by_side_most,
+        rule, orders, side_by_side, side_by_side_most,
         advice => advised(&lines),
-        on => ON,
         digit => context! { supports => digits(0), moment => digits(3), energy => digits(4) },
-        thirty => context! { flat => at_thirty(Family::Flat), least_uneven => uneven_at_thirty.map(|r| r[0]) },
         hundredfold => context! { least => hundredfold.map(|r| r[0]), most => hundredfold.map(|r| r[1]) },
         adaptive => context! { reached => adaptive.count(), worst => largest(errors) },
-        second => second.clone().count(),
-        certified => second.filter(|line| line.succeeded()).count(),
+        second => second.count(),
         solved => lines.iter().filter(|line| line.draw == 1 && line.succeeded()).count(),
         answers => lines.iter().filter(|line| line.draw == 1).count(),
     };

@@ -18,7 +18,7 @@ pub(super) fn sketch(study: &Study<'_>) -> Result<Evidence, Cause> {
     let places = curves.x.iter().zip(&curves.deflection);
     let rows = places.map(|(&x, &v)| [fixed(x, 5), fixed(scene.depth(x), 5), fixed(v, 5)]);
     let data = Table::new(["x", "u", "v"]).rows(rows).one_a_place();
-    let values = context! { title => scene.title(), contacts => exact.state.contacts.len() };
+    let values = context! { title => scene.title() };
     Evidence::new(values).figures([study.drawn("problem", context! {}, 1, vec![sketched(&scene, &curves)], data)?])
 }
 
@@ -98,7 +98,6 @@ pub(super) fn methods(study: &Study<'_>) -> Result<Evidence, Cause> {
         digits.iter().map(|d| format!("{} with {} intervals", times_ten(d.condition, 1), d.intervals)).collect();
     Ok(Evidence::new(context! {
         intervals => PRINTED,
-        nodes => PRINTED - 1,
         matrices => matrices.trim_end(),
         conditions => conditions.join(" and "),
     }))

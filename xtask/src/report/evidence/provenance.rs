@@ -58,7 +58,7 @@ fn block(file: &str, line: usize, id: &str, rest: &[&str]) -> Result<Discrepancy
 }
 
 /// The template with the list, and its heading.
-const LIST: &str = "report/templates/provenance.md";
+const LIST: &str = "report/templates/appendix.md";
 const HEADING: &str = "## References\n";
 
 /// Every work that is cited is in the list of references, and every reference is cited.

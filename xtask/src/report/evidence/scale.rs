@@ -11,10 +11,10 @@ const EXACT: Route = ROUTES[0];
 const ACTIVE_SET: Route = ROUTES[1];
 const INTERIOR_POINT: Route = ROUTES[2];
 
-/// A route in tables and figures: its name, and its look; the exact solution is blue, as everything is that is computed.
+/// A route in tables and figures: its name, and its look; the grid-free solution is blue, as everything is that is computed.
 fn look(route: Route) -> (&'static str, Style) {
     let (name, color, marker, dash) = match route {
-        EXACT => ("exact", Color::BLUE, Marker::Circle, Dash::Solid),
+        EXACT => ("grid-free", Color::BLUE, Marker::Circle, Dash::Solid),
         INTERIOR_POINT => ("clarabel", Color::GREEN, Marker::Triangle, Dash::DashDot),
         _ => ("active set", Color::VERMILLION, Marker::Square, Dash::Dashed),
     };
@@ -57,12 +57,6 @@ impl<'a> Measured<'a> {
     fn ratio(&self, of: Route, over: Route) -> Option<f64> {
         Some(self.seconds(of)? / self.seconds(over)?)
     }
-
-    /// How many times as long the exact solution takes as of a tenth of the points.
-    fn ten_times(&self, all: &[Self]) -> Option<f64> {
-        let same = |other: &&Self| other.name() == self.name() && 10 * other.survey.points == self.survey.points;
-        Some(self.seconds(EXACT)? / all.iter().find(same)?.seconds(EXACT)?)
-    }
 }
 
 /// The least and the greatest of some numbers, for a template.
@@ -75,7 +69,6 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let line = |survey, route| store.lines.iter().find(|line| line.name() == on_survey(survey, route).name());
     let all: Vec<Measured<'_>> =
         surveys().map(|survey| Measured { survey, lines: ROUTES.map(|route| line(survey, route)) }).collect();
-    let exact = || all.iter().filter_map(|survey| survey.solved(EXACT));
     let most = all.iter().map(|survey| survey.survey.points).max().ok_or("no survey is in the plan")?;
     let largest: Vec<&Measured<'_>> = all.iter().filter(|survey| survey.survey.points == most).collect();
     let seconds = range(largest.iter().filter_map(|survey| survey.seconds(EXACT)));
@@ -86,38 +79,23 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let largest_interior = interior().map(|(points, _)| points).max().unwrap_or(0);
     let by_interior: Vec<f64> =
         interior().filter(|(points, _)| *points == largest_interior).map(|(_, ratio)| ratio).collect();
-    let failed: Vec<f64> = all
-        .iter()
-        .filter(|survey| survey.survey.points == largest_interior)
-        .filter_map(|survey| Some(survey.failed_after(INTERIOR_POINT)? / survey.seconds(EXACT)?))
-        .collect();
-    let beside_grid = || all.iter().filter_map(|survey| Some((survey, survey.ratio(EXACT, ACTIVE_SET)?)));
-    let slowest = beside_grid().max_by(|a, b| a.1.total_cmp(&b.1)).map(|(survey, _)| survey);
+    let failed = all.iter().filter(|survey| survey.survey.points == largest_interior);
+    let failed = failed.filter(|survey| survey.failed_after(INTERIOR_POINT).is_some()).count();
     let seconds = seconds.map(|[least, most]| context! { least, most });
     let values = context! { solved, surveys => largest.len(), most, seconds };
     let (panels, data) = panels(&all);
     let figure = study.drawn("scale-time", values.clone(), 2, panels, data)?;
-    let of_surveys = || store.lines.iter().filter(|line| is_survey(&line.scene));
-    let hardest = hardest(&all);
-    let refused = of_surveys().find(|line| line.method == "exact" && line.is_refused());
+    let mut of_surveys = store.lines.iter().filter(|line| is_survey(&line.scene));
+    let refused = of_surveys.any(|line| line.method == "exact" && line.is_refused());
     let values = context! {
-        made => store.provenance(),
         patience => PATIENCE,
-        lists => exact().filter_map(|line| line.lists).max(),
-        residual => exact().filter_map(|line| line.residual).max_by(f64::total_cmp),
-        ten_times => least_most(largest.iter().filter_map(|survey| survey.ten_times(&all))),
-        exact_over_grid => least_most(beside_grid().map(|(_, ratio)| ratio)),
-        slowest_beside_grid => slowest.map(|survey| format!("{}, {} points", survey.name(), count(survey.survey.points))),
+        exact_over_grid => least_most(all.iter().filter_map(|survey| survey.ratio(EXACT, ACTIVE_SET))),
         interior_over_exact => least_most(by_interior.iter().copied()),
         largest_interior,
         interior_solved => by_interior.len(),
-        interior_failed => failed.len(),
-        interior_failed_after => least_most(failed),
+        interior_failed => failed,
         grid_off => all.iter().filter_map(|survey| survey.solved(ACTIVE_SET)?.energy_total).reduce(f64::max),
-        refused => refused.map(|_| TOO_MANY),
-        hardest,
-        tenth => most / 10,
-        single => of_surveys().filter(|line| line.runs == Some(1)).count(),
+        refused => refused.then_some(TOO_MANY),
         table => table(all.iter().filter(|survey| [most, largest_interior].contains(&survey.survey.points))),
         title => study.words("scale-time", values.clone())?.title,
         ..values
@@ -125,18 +103,9 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     Evidence::new(values).figures([figure])
 }
 
-/// The kind of survey with the most contacts, and how many the other kinds have at the most.
-fn hardest(all: &[Measured<'_>]) -> Option<Value> {
-    let contacts = |survey: &Measured<'_>| survey.solved(EXACT).and_then(|line| line.contacts);
-    let name = all.iter().max_by_key(|survey| contacts(survey))?.name();
-    let most = |same: bool| all.iter().filter(|survey| (survey.name() == name) == same).filter_map(contacts).max();
-    let (contacts, others) = (most(true)?, most(false)?);
-    Some(context! { name, contacts, others })
-}
-
 /// Seconds of a solve and of the whole program, and its megabytes, of every route on some surveys.
 fn table<'a>(surveys: impl Iterator<Item = &'a Measured<'a>>) -> Table {
-    let header = ["ground and load", "points", "contacts"].map(str::to_owned);
+    let header = ["foundation and load", "points", "contacts"].map(str::to_owned);
     let routes = ROUTES.map(|route| format!("{}, s; whole process, s (MB)", look(route).0));
     let rows = surveys.map(|survey| {
         let shown = survey.lines.map(|line| match line {
@@ -152,7 +121,7 @@ fn table<'a>(surveys: impl Iterator<Item = &'a Measured<'a>>) -> Table {
         let off = error_cell(survey.solved(ACTIVE_SET).and_then(|line| line.energy_total));
         [survey.name(), count(survey.survey.points), contacts].into_iter().chain(shown).chain([off]).collect::<Vec<_>>()
     });
-    Table::new(header.into_iter().chain(routes).chain(["energy of the grid off by".to_owned()])).rows(rows)
+    Table::new(header.into_iter().chain(routes).chain(["energy difference".to_owned()])).rows(rows)
 }
 
 /// Seconds over points, both logarithmic, with a panel for each ground and load.

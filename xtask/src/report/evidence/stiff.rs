@@ -15,8 +15,7 @@ use super::prelude::*;
 const POWERS: [i32; 2] = [2, 16];
 const IN_A_POWER: i32 = 4;
 const MEASURED: [i32; 2] = [6, 12];
-/// Powers of ten of the tables, of the drawings, and up to which the closed form is compared.
-const SHOWN: [i32; 8] = [2, 4, 6, 8, 10, 12, 14, 16];
+/// Powers of ten for which strip and gap are compared with their laws, and those of the drawings.
 const WITH_GAP: [i32; 6] = [8, 10, 12, 14, 16, 18];
 const DRAWN: [i32; 3] = [8, 11, 13];
 /// Digits of the rule.
@@ -127,15 +126,11 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         from => power_of_ten(POWERS[0]),
         to => power_of_ten(POWERS[1]),
         measured => MEASURED.map(power_of_ten),
-        table => numbers_table(&shown(&SHOWN)?, &rigid),
         closed => bound(closed_form(&answers, &rigid)?),
         energy => energies(&answers, &rigid),
-        narrower => strip().narrower(),
         rule => rule_table(&rigid)?,
         opens => opens(&scene, &rigid)?,
-        strip => context! { length => strip().length, gap => strip().gap, pressure => strip().pressure },
-        bilateral => std::f64::consts::SQRT_2 * (-std::f64::consts::FRAC_PI_4).exp(),
-        gaps => gap_table(&with_gap, &rigid)?,
+        strip => context! { length => strip().length, gap => strip().gap },
         approaches => approaches(&with_gap, &rigid)?,
         drawn => drawn.iter().map(|answer| told(answer)).collect::<Result<Vec<_>, _>>()?,
     };
@@ -197,25 +192,6 @@ fn energies(answers: &[Answer], rigid: &Rigid) -> Vec<Value> {
     [1e6, DIGITS].into_iter().filter_map(at).map(told).collect()
 }
 
-fn numbers_table(answers: &[Answer], rigid: &Rigid) -> Table {
-    let header = ["k", "λa", "end reaction off by", "1/2(λa)³", "lift-off off by", "1/λa", "penetration over u"];
-    let rows = answers.iter().map(|answer| {
-        let (found, laws) = (answer.numbers(rigid), answer.laws(rigid));
-        row![
-            tolerance(answer.ground),
-            significant(answer.lever, 4),
-            times_ten(found[0], 1),
-            times_ten(laws[0], 1),
-            times_ten(found[1], 1),
-            times_ten(laws[1], 1),
-            times_ten(found[2], 1),
-            significant(found[3], 4),
-            answer.state().contacts.len()
-        ]
-    });
-    Table::new(header.into_iter().chain(["largest pressure over q", "contacts"])).rows(rows)
-}
-
 fn numbers_data(answers: &[Answer], rigid: &Rigid) -> Table {
     let header = ["stiffness", "reaction_off", "lift_off_off", "penetration", "pressure", "contacts"];
     Table::new(header).rows(answers.iter().map(|answer| {
@@ -275,23 +251,6 @@ fn over_laws(answer: &Answer, rigid: &Rigid) -> Result<[f64; 2], Cause> {
     let (decay, limit) = (answer.lever / rigid.lift_off, strip());
     let gap = limit.gap * (rigid.lift_off / (decay * decay)).cbrt();
     Ok([(to - from) * decay / limit.length, (zone - to) / gap])
-}
-
-fn gap_table(answers: &[Answer], rigid: &Rigid) -> Result<Table, Cause> {
-    let header = ["k", "strip from", "to", "carries, over F", "zone from", "strip over its law", "gap over its law"];
-    let mut table = Table::new(header.into_iter().chain(["what the gap lacks, times (λa)^⅓"]));
-    for answer in answers {
-        let [from, to, zone] = answer.gap()?;
-        let carries = answer.state().contacts[0].force / rigid.force;
-        let over = over_laws(answer, rigid)?;
-        let mut cells = row![tolerance(answer.ground)].to_vec();
-        cells.extend([from, to].map(|x| fixed(x, 6)));
-        cells.extend([fixed(carries, 4), fixed(zone, 6)]);
-        cells.extend(over.map(|over| fixed(over, 3)));
-        cells.push(fixed((1.0 - over[1]) * answer.lever.cbrt(), 2));
-        table.push(cells);
-    }
-    Ok(table)
 }
 
 /// Whether strip and gap come nearer to their laws from each stiffness to the next.

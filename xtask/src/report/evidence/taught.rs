@@ -52,21 +52,21 @@ fn drawn(study: &Study<'_>, name: &'static str, scene: &Scene, exact: &Exact) ->
     };
     let arrows: Vec<Arrow> = found.nodes.iter().filter(|node| node.force != 0.0).map(arrow).collect();
     let ends = range(arrows.iter().map(|arrow| arrow.force)).unwrap_or_default();
-    let along = || Axis::along("x", [0.0, length]);
-    let mut shape = Panel::new(along(), Axis::new("deflection v, downwards").down()).tall(500.0);
+    let along = || Axis::along("x [length]", [0.0, length]);
+    let mut shape = Panel::new(along(), Axis::new("deflection v, downwards [length]").down()).tall(500.0);
     if scene.foundation().is_some() {
         shape = shape.with(Layer::Foundation { points: samples.iter().map(|s| [s.x, scene.depth(s.x)]).collect() });
     }
     shape = shape
         .with(Layer::line(samples.iter().map(|s| [s.x, s.deflection]).collect(), Style::solid(Color::BLUE)))
         .with(Layer::line(of_nodes(|node| node.deflection), marks()));
-    let forces = Panel::new(along(), Axis::new("forces of the nodes, upwards").including(&ends))
+    let forces = Panel::new(along(), Axis::new("forces at the nodes, upwards [force]").including(&ends))
         .tall(500.0)
         .room(80.0, 80.0)
         .with(Layer::zero_line([0.0, length]))
         .with(Layer::Arrows(Arrows { arrows, color: Color::VERMILLION, dash: Dash::Solid }));
     let moment = |node: &Node| node.moments[usize::from(node.x <= 0.0)];
-    let mut moments = Panel::new(along(), Axis::new("bending moment M, on the side in tension").down())
+    let mut moments = Panel::new(along(), Axis::new("bending moment M, on the side in tension [force·length]").down())
         .tall(700.0)
         .room(60.0, 60.0)
         .with(Layer::zero_line([0.0, length]))

@@ -187,11 +187,9 @@ fn at_work(study: &Study<'_>, rounds: &[Round], values: Value) -> Result<Drawn, 
         round.smallest.iter().for_each(|i| held[*i] = true);
     }
     let axis = || Axis::new("node").including(&[0.0, as_number(nodes + 1)]);
-    let mut signs = Panel::new(axis(), Axis::new("round").down().including(&[-2.5])).tall(900.0);
-    for (k, ((sign, color, marker), places)) in SIGNS.into_iter().zip(places).enumerate() {
-        // The names stand in a row above the first round.
-        let at = [as_number(nodes) * (0.13 + 0.25 * as_number(k)), -2.0];
-        signs = signs.with(Layer::line(places, Style::marks(color, marker))).with(Layer::words(at, color, sign));
+    let mut signs = Panel::new(axis(), Axis::new("round").down()).tall(900.0);
+    for ((_, color, marker), places) in SIGNS.into_iter().zip(places) {
+        signs = signs.with(Layer::line(places, Style::marks(color, marker)));
     }
     let last = &rounds[rounds.len() - 1].forces;
     let arrows = |pulls: bool, color: Color| {
@@ -203,7 +201,7 @@ fn at_work(study: &Study<'_>, rounds: &[Round], values: Value) -> Result<Drawn, 
         Layer::Arrows(Arrows { arrows: of_sign.map(arrow).collect(), color, dash: Dash::Solid })
     };
     let [least, most] = range(last.iter().copied()).unwrap_or_default();
-    let ends = Panel::new(axis(), Axis::new("force of the ground after the last round").including(&[least, most]))
+    let ends = Panel::new(axis(), Axis::new("contact force after the last round [force]").including(&[least, most]))
         .tall(460.0)
         .with(Layer::zero_line([0.0, as_number(nodes + 1)]))
         .with(arrows(false, Color::BLUE))

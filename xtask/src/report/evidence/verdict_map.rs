@@ -44,5 +44,7 @@ pub(super) fn drawn(words: &Words, columns: Vec<String>, rows: Vec<Row>) -> Resu
         }
     }
     let panel = Panel::new(Axis::named(&*words.legend, columns), Axis::named("", names).down()).tall(height);
-    Figure::new(&*words.title, &*words.description, vec![panel.with(Layer::Cells(layer))]).svg()
+    Figure::new(&*words.title, &*words.description, vec![panel.with(Layer::Cells(layer))])
+        .notes(words.notes.clone())
+        .svg()
 }

@@ -19,6 +19,8 @@ pub(super) struct Words {
     pub(super) description: String,
     /// The last part of it, if an axis shows that as well.
     pub(super) legend: String,
+    /// What stands below the figure: the lines of the section that begin with `- `.
+    pub(super) notes: Vec<String>,
 }
 
 /// The sections of the file, by the names of their figures.
@@ -35,9 +37,12 @@ impl Words {
         let text = template::environment(BTreeMap::new())
             .render_named_str(&format!("{NAME}.md"), section, values)
             .map_err(|error| format!("{NAME}.md, `{figure}`: {error}"))?;
+        let (notes, text): (Vec<&str>, Vec<&str>) = text.lines().partition(|line| line.starts_with("- "));
+        let notes = notes.iter().map(|note| note.trim_start_matches("- ").to_owned()).collect();
+        let text = text.join("\n").trim().to_owned();
         let mut parts = text.split("\n\n").map(|part| part.trim().replace('\n', " "));
         let title = parts.next().unwrap_or_default();
         let parts: Vec<String> = parts.collect();
-        Ok(Self { title, legend: parts.last().cloned().unwrap_or_default(), description: parts.join(" ") })
+        Ok(Self { title, legend: parts.last().cloned().unwrap_or_default(), description: parts.join(" "), notes })
     }
 }

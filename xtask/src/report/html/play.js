@@ -36,21 +36,21 @@ const frame = () => {
   const at = (x) => MARGIN + ((width - 2 * MARGIN) * x) / length;
   const down = (depth) => TOP + DEPTH * depth;
   const surface = (x) => down(groundAt(ground, x).depth) + 3;
-  const largest = Math.max(exact.most, -exact.least, 1e-9);
+  const [labels, largest] = [[], Math.max(exact.most, -exact.least, 1e-9)];
   const bent = (moment) => AXIS + (HALF * moment) / largest;
   const high = (force) => Math.min(66, 6 + FORCE * force);
   const curve = ({ x }, values, to) => through(x.map((place, i) => [at(place), to(values[i])]));
-  let label = [-99, 0];
-  /// A force of the ground; its lettering makes way for the lettering to its left.
+  /// A force of the ground; its lettering makes way for others, and is left out where there is no room.
   const push = (x, force) => {
-    const y = surface(x) + high(force);
-    const beside = at(x) - label[0] < 48 && Math.abs(y + 16 - label[1]) < 15;
-    label = [at(x), Math.min(beside ? label[1] + 16 : y + 16, BOTTOM - 4)];
-    return path("contact", arrow(at(x), surface(x), high(force))) + words(...label, shown(force), "contact");
+    const rows = [16, 32, 48, 64].map((more) => Math.min(surface(x) + high(force) + more, BOTTOM - 4));
+    const free = rows.find((y) => !labels.some((other) => Math.abs(at(x) - other[0]) < 48 && Math.abs(y - other[1]) < 15)) ?? -99;
+    labels.push([at(x), free]);
+    return path("contact", arrow(at(x), surface(x), high(force))) + words(at(x), free, shown(force), "contact");
   };
   const touch = ({ from, to, sides }) => sides.map((force, k) => push([from, to][k], force)).join("")
     + path("zone", through([from, to].map((x) => [at(x), surface(x)])));
-  const support = (end, k) => (end === "none" ? "" : words(at(k * length), TOP - 16, shown(reactions[k]), `reaction ${k ? "end" : "start"}`)
+  const reaction = (k) => words(at(k * length), TOP - 16, `reaction ${shown(reactions[k])}`, `reaction ${k ? "end" : "start"}`);
+  const support = (end, k) => (end === "none" ? "" : reaction(k)
     + path("support", `M${at(k * length)},${end === "simple" ? `${TOP}l-8,13h16z` : `${TOP - 13}h4v26h-8v-26z`}`));
   const node = (x, i) => (grid.touches[i] ? `M${at(x) - 1.5},${down(grid.depth[i])}h3v${high(grid.force[i])}h-3z` : "");
   const extreme = (moment, of, away) => (Math.abs(moment) < 1e-3 * largest ? ""
@@ -59,7 +59,7 @@ const frame = () => {
   svg.setAttribute("viewBox", `0 0 ${width} ${HEIGHT}`);
   drawing.innerHTML = [
     path("ground", `${through(ground.map(([x, depth]) => [at(x), down(depth)]))}V${BOTTOM}H${at(0)}z`),
-    path("load", `M${MARGIN},48H${width - MARGIN}v${-5 * uniform}H${MARGIN}z`),
+    path("load", `M${MARGIN},48H${width - MARGIN}v${-5 * uniform}H${MARGIN}z`) + words(MARGIN, 42 - 5 * uniform, `load ${uniform}`, "soft start"),
     ...contacts.map(touch),
     path("beam", curve(exact, exact.deflection, down)),
     point.force ? path("force", arrow(pressed, head, tail - head)) + words(pressed + 16, tail + 5, shown(point.force), "start") : "",
@@ -86,6 +86,7 @@ const later = () => { asked ||= requestAnimationFrame(() => { asked = 0; frame()
 
 /// Moves a handle to x and a value, as far as it may go.
 const move = (i, x, value) => {
+  section.querySelector(".copied").hidden = true;
   const { ground, point, length, ends } = scene;
   const { ariaValueMin: least, ariaValueMax: most } = handles.children[i];
   const end = { 0: ends[0], [ground.length - 1]: ends[1] }[i];
@@ -98,8 +99,7 @@ handles.addEventListener("keydown", (event) => {
   const [dx, dy] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key] ?? [];
   if (dx === undefined) return;
   event.preventDefault();
-  const step = event.shiftKey ? 0.5 : 0.05;
-  const i = [...handles.children].indexOf(event.target);
+  const [i, step] = [[...handles.children].indexOf(event.target), event.shiftKey ? 0.5 : 0.05];
   const [x, value] = scene.ground[i] ?? Object.values(scene.point);
   move(i, x + dx * step, value + (scene.ground[i] ? dy : -dy) * step);
 });

@@ -2,9 +2,9 @@
 
 // Discrepancy: nsor-articles
 //
-// Finnish has no articles. "Jos dimensio n on suuri, niin käyttökelpoinen algoritmi on … NSOR-algoritmi" says that NSOR is *a*
-// usable algorithm as well as that it is *the* usable one. The ledger's verdict is about the weaker reading, which is the
-// likelier one since the sentence before it speaks of many efficient algorithms; the stronger one has a verdict of its own.
+// Finnish has no articles: "käyttökelpoinen algoritmi on … NSOR-algoritmi" can mean that NSOR is *a* usable algorithm or *the* usable
+// one. The verdict is about the weaker reading, which is the likelier one, since the sentence before speaks of many efficient
+// algorithms.
 
 use super::{Claim, Verdict};
 use crate::paper::{INTERVALS, example};

@@ -9,7 +9,7 @@ use crate::measure::plan::{EXAMPLE, GRIDS};
 use crate::report::evidence::prelude::*;
 
 /// The two kinds of ground: the paper's example, and smooth crests that fall between the nodes.
-const GROUNDS: [(&str, &str); 2] = [(EXAMPLE, "flat ground"), ("wave", "smooth crests")];
+const GROUNDS: [(&str, &str); 2] = [(EXAMPLE, "flat foundation"), ("wave", "smooth crests")];
 
 /// Correct digits of the table.
 const DIGITS: [f64; 5] = [2.0, 3.0, 4.0, 6.0, 8.0];
@@ -127,7 +127,7 @@ fn panels(fronts: &[[Vec<&Line>; 5]; 2], exact: [Option<f64>; 2]) -> Vec<Panel> 
             let places = front.iter().map(|line| place(line)).collect();
             panel = panel.with(Layer::named(places, style, format!("{solver}{factor}")));
         }
-        panel.with(Layer::named(vec![exact], Style::marks(Color::BLACK, Marker::Star), "exact"))
+        panel.with(Layer::named(vec![exact], Style::marks(Color::BLACK, Marker::Star), "grid-free"))
     });
     panels.collect()
 }

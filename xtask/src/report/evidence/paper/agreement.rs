@@ -33,19 +33,18 @@ struct Run {
 pub(crate) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
     let scene = example()?;
     let norm = norm()?;
-    let run = |method, solver, intervals| -> Result<Run, Cause> {
-        let outcome = on_grid(&scene, method, solver, intervals)?;
+    let run = |(method, solver)| -> Result<Run, Cause> {
+        let outcome = on_grid(&scene, method, solver, INTERVALS)?;
         let forces = nodes_of(&outcome.state)?.contact_force.clone();
         Ok(Run { method, solver, outcome, forces })
     };
-    let runs = routes().map(|(method, solver)| run(method, solver, INTERVALS)).collect::<Result<Vec<_>, _>>()?;
+    let runs = routes().map(run).collect::<Result<Vec<_>, _>>()?;
     let (energy, differences) = (authority(&runs, Method::Force)?, authority(&runs, Method::Complementarity)?);
     let of = |run: &Run| if run.method == Method::Complementarity { &differences } else { &energy };
 
-    let mut table = Table::new(["method", "solver", "first contact force", "end reaction", "tolerance"]);
     let header = ["method", "solver", "status", "guaranteed_error", "first_contact_force", "left_reaction", "agrees"];
     let mut data = Table::new(header);
-    let (mut worst, mut certified, mut agree) = (0.0_f64, 0, 0);
+    let mut agree = 0;
     let witness = Witness::of(&scene);
     for run in &runs {
         let (authority, method, solver) = (of(run), run.method, run.solver);
@@ -53,37 +52,24 @@ pub(crate) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
         let error = apart_if_any(&run.forces, &authority.forces).max((reaction - authority.left_reaction).abs());
         let exponent = exponent(solver, norm);
         let share = error / ten_to(exponent);
-        worst = worst.max(share);
         agree += usize::from(share <= 1.0);
         let verdict = Verdict::of_raw(&run.outcome, &witness, &Demand::default());
-        certified += usize::from(verdict.status == Status::Certified);
         let first = run.forces.get(authority.first).copied().unwrap_or(f64::NAN);
         // Digits behind the point that the tolerance promises.
         let places = usize::try_from(-exponent).unwrap_or(0).saturating_sub(1);
         let [force, reaction] = [first, reaction].map(|value| fixed(value, places));
-        table.push(row![method, solver, force, reaction, power_of_ten(exponent)]);
         let error = scientific(verdict.error, 1);
         data.push(row![method, solver, verdict.status, error, force, reaction, yes_no(share <= 1.0)]);
     }
 
-    // What Figure 4 would show if its n counted the nodes.
-    let one_more = run(Method::Complementarity, Solver::ActiveSet, INTERVALS + 1)?;
     Evidence::new(context! {
         intervals => INTERVALS,
         exact => exact(&energy, &differences),
-        table,
         routes => runs.len(),
-        certified,
         agree,
         direct => power_of_ten(exponent(Solver::ActiveSet, norm)),
         iterative => power_of_ten(exponent(Solver::Nsor, norm)),
         norm,
-        margin => worst <= 0.1,
-        one_more => context! {
-            intervals => INTERVALS + 1,
-            force => one_more.forces.iter().copied().find(|p| 0.0 < *p),
-            x => one_more.outcome.state.contacts.first().map_or(f64::NAN, |c| c.from),
-        },
     })
     .data("agreement", data)
 }

@@ -6,10 +6,9 @@ use palkki_evidence::closed::FlatSolution;
 
 // Discrepancy: figures-redrawn
 //
-// The drawings of the paper's figures are lost, and the text speaks of contact pressure. Figures 4 and 7 show contact forces
-// at the nodes instead, so that they and the point force of beam theory at the lift-off point are read on one axis; a force
-// over the spacing is a pressure. Further panels show the left lift-off point larger, and the sum of the contact forces from the
-// left end; in Figure 8 the difference from beam theory.
+// The text speaks of contact pressure. Figures 4 and 7 show nodal contact forces instead, on one axis with the concentrated force of
+// beam theory; a force over the spacing is a pressure. Further panels show the left lift-off point, and the sum of the contact forces
+// from the left end; in Figure 8 the difference from beam theory.
 
 /// Digits of a value that is written beside the point that it belongs to.
 const DIGITS: usize = 4;
@@ -44,9 +43,9 @@ pub(super) fn contact(theory: &Theory, (label, nodes): Nodal<'_>) -> Vec<Panel> 
     const BEHIND: f64 = 4.4;
     let [first, second, ..] = nodes.x[..] else { return Vec::new() };
     let (l, a, step) = (theory.length, theory.lift_off, second - first);
-    let whole = forces_panel(theory, (label, nodes), step, None, "contact force at each node").wide();
+    let whole = forces_panel(theory, (label, nodes), step, None, "contact force at each node [force]").wide();
     let near = [(a - BEFORE * step).max(0.0), (a + BEHIND * step).min(l)];
-    let zoom = forces_panel(theory, (label, nodes), step, Some(near), "at the left lift-off point");
+    let zoom = forces_panel(theory, (label, nodes), step, Some(near), "at the left lift-off point [force]");
     vec![whole, zoom, sum_panel(theory, nodes)]
 }
 
@@ -78,7 +77,7 @@ fn forces_panel(theory: &Theory, (method, nodes): Nodal<'_>, step: f64, window: 
     let axis = Axis { padding: 0.02, ..Axis::new(name).including(&[0.0, most]) };
     let label =
         if all { format!("beam theory: q₀Δ = {} and T", significant(level, DIGITS)) } else { "q₀Δ".to_owned() };
-    let mut panel = Panel::new(Axis::along("x", [from, to]), axis)
+    let mut panel = Panel::new(Axis::along("x [length]", [from, to]), axis)
         .tall(620.0)
         .room(85.0, 10.0)
         .with(Layer::zero_line([from, to]))
@@ -109,7 +108,7 @@ fn sum_panel(theory: &Theory, nodes: &Nodes) -> Panel {
     steps.push([l, sum]);
     let dashed = vec![[0.0, 0.0], [a, 0.0], [a, t], [l - a, inner], [l - a, inner + t], [l, inner + t]];
     let style = Style { color: Color::BLACK, ..Style::theory() };
-    Panel::new(Axis::along("x", [0.0, l]), Axis::new("their sum from the left end"))
+    Panel::new(Axis::along("x [length]", [0.0, l]), Axis::new("sum of the forces from the left end [force]"))
         .tall(620.0)
         .with(Layer::line(steps, Style::solid(Color::BLUE)))
         .with(Layer::line(dashed, style))
@@ -126,16 +125,18 @@ pub(super) fn shape(theory: &Theory, methods: &[Nodal<'_>]) -> Vec<Panel> {
     let (l, a) = (theory.length, theory.lift_off);
     let places = (0..=SAMPLES).map(|i| l * f64::from(i) / f64::from(SAMPLES));
     let line = places.map(|x| [x, theory.solution.deflection(x)]).collect();
-    let axis = Axis::new("deflection v, downwards, beside the depth u₀").down().including(&[0.0]);
-    let mut shapes = Panel::new(Axis::along("x", [0.0, l]), axis)
+    let axis = Axis::new("deflection v and depth u₀, downwards [length]").down().including(&[0.0]);
+    let mut shapes = Panel::new(Axis::along("x [length]", [0.0, l]), axis)
         .with(Layer::Foundation { points: vec![[0.0, DEPTH], [l, DEPTH]] })
         .with(Layer::zero_line([0.0, l]))
         .with(Layer::simple_supports(l))
         .with(Layer::line(line, Style::theory()));
-    let mut differences =
-        Panel::new(Axis::along("x", [0.0, l]), Axis::new("1000 × (v − v of beam theory)").including(&[0.0]))
-            .tall(460.0)
-            .with(Layer::zero_line([0.0, l]));
+    let mut differences = Panel::new(
+        Axis::along("x [length]", [0.0, l]),
+        Axis::new("1000 × (v − v of beam theory) [length]").including(&[0.0]),
+    )
+    .tall(460.0)
+    .with(Layer::zero_line([0.0, l]));
     // The names stand one above the other at mid-span, where there is room above the beam.
     let mut name = [0.5 * l, 0.1 * DEPTH];
     for ((label, nodes), (color, marker)) in methods.iter().zip(LOOKS) {

@@ -17,7 +17,7 @@ pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let drawn = Theory::new(length, exact);
     let (four, seven, eight) = (figure_4()?, figure_7()?, figure_8()?);
     let nodal_load = drawn.pressure * four.spacing;
-    let (at, error) = deviation(&eight.nodes, &exact, length);
+    let error = deviation(&eight.nodes, &exact);
     let drawn_contact = |name, method, found: &Pressures, data| {
         let values = context! {
             intervals => INTERVALS, level => nodal_load, force => exact.end_force, at => drawn.lift_off, method,
@@ -29,17 +29,12 @@ pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     };
     let values = context! {
         intervals => INTERVALS,
-        nodes => INTERVALS - 1,
-        length,
-        spacing => four.spacing,
-        nodal_load,
         lift_off => drawn.lift_off,
         reaction => exact.reaction,
-        figure_4 => contact(&four, nodal_load),
-        figure_7 => contact(&seven, nodal_load),
+        first_force => seven.nodes.contact_force.iter().find(|force| 0.0 < **force),
         sums_off => [&four, &seven].map(|found| sums_off(found, &exact, length)).into_iter().fold(0.0, f64::max),
-        // Largest difference of a nodal deflection from beam theory, over the depth, and where it is, in the left half.
-        figure_8 => context! { error, at },
+        // Largest difference of a nodal deflection from beam theory, over the depth.
+        deflection_error => error,
         table_4 => contact_table("finite differences", &state(Method::Complementarity)?, &exact),
         table_7 => contact_table("force method", &state(Method::Force)?, &exact),
         table_8 => shape_table("displacement method", &state(Method::Displacement)?, &exact),
@@ -120,35 +115,9 @@ fn sums_off(found: &Pressures, exact: &FlatSolution, length: f64) -> f64 {
     sums.fold(0.0, f64::max) / exact.contact_force
 }
 
-/// The left end of the contact by one method.
-fn contact(found: &Pressures, nodal_load: f64) -> Value {
-    // Below this share the deviation is rounding and has no ratio.
-    const ROUNDING: f64 = 1e-9;
-    let forces = &found.nodes.contact_force;
-    let first = forces.iter().position(|p| 0.0 < *p).unwrap_or(0);
-    let at = |k: usize| forces.get(first + k).copied().unwrap_or(f64::NAN);
-    let off = |p: f64| p / nodal_load - 1.0;
-    let inner = forces.iter().take(forces.len() / 2 + 1).skip(first + 2);
-    context! {
-        // Place of the first node in contact, and contact forces of the first three nodes.
-        x => found.nodes.x[first],
-        forces => [at(0), at(1), at(2)],
-        // The first of them over the point force of beam theory, minus one.
-        error => at(0) / found.theory.end_force - 1.0,
-        // How many nodes are in contact.
-        count => forces.iter().filter(|p| 0.0 < **p).count(),
-        // Largest deviation from the nodal load behind the second node, over the nodal load.
-        swing => inner.fold(0.0_f64, |most, p| most.max(off(*p).abs())),
-        // Factor from one such deviation to the next; zero where there is none.
-        decay => if off(at(2)).abs() < ROUNDING { 0.0 } else { off(at(3)) / off(at(2)) },
-    }
-}
-
-/// The node of the left half that is farthest from beam theory: its place and its error.
-fn deviation(nodes: &Nodes, exact: &FlatSolution, length: f64) -> (f64, f64) {
-    let left = nodes.x.iter().zip(&nodes.deflection).filter(|(x, _)| **x <= 0.5 * length);
-    let errors = left.map(|(&x, v)| (x, (v - exact.deflection(x)).abs()));
-    errors.fold((0.0, 0.0), |worst, e| if worst.1 < e.1 { e } else { worst })
+/// The largest difference of a nodal deflection from beam theory.
+fn deviation(nodes: &Nodes, exact: &FlatSolution) -> f64 {
+    largest(nodes.x.iter().zip(&nodes.deflection).map(|(&x, v)| v - exact.deflection(x)))
 }
 
 fn data(nodes: &Nodes, exact: &FlatSolution, spacing: f64) -> Table {
@@ -184,11 +153,8 @@ pub(crate) fn first_force(study: &Study<'_>) -> Result<Evidence, Cause> {
         range(points.iter().filter(|p| f64::from(FINE) <= p[0]).map(|p| of(p[1]))).ok_or("there are fine grids")
     };
     let ([least, most], [_, worst]) = (fine(&first, |force| force)?, fine(&resultant, |force| (force - 1.0).abs())?);
-    // Of all grids, the coarse ones included.
-    let all = |points: &[[f64; 2]], of: fn(f64) -> f64| range(points.iter().map(|p| of(p[1]))).map(|[_, most]| most);
-    let coarse = context! { most => all(&first, |force| force), worst => all(&resultant, |force| (force - 1.0).abs()) };
     let values = context! {
-        coarse, coarsest => GRIDS.start(), finest => GRIDS.end(), grids => first.len(), fine => FINE,
+        coarsest => GRIDS.start(), finest => GRIDS.end(), grids => first.len(), fine => FINE,
         least, most, worst, last => resultant.last().map(|p| (p[1] - 1.0).abs()),
     };
     let panel = panel_of_first_force(first, resultant);

@@ -32,16 +32,6 @@ pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     grids.dedup();
     let of = |solver: &str| errors.iter().filter(move |error| error.0 == solver).collect::<Vec<_>>();
 
-    let header = ["intervals", "cond(A)", "cond(A) · 2⁻⁵²"].into_iter().chain(SOLVERS);
-    let table = Table::new(header).rows(grids.iter().map(|&grid| {
-        let of_solvers = SOLVERS.map(|solver| {
-            let found = of(solver).into_iter().find(|error| error.1 == grid);
-            error_cell(found.map(|error| error.2))
-        });
-        let condition = [METHOD.condition(grid), expected(grid)].map(|number| times_ten(number, 0));
-        [count(grid)].into_iter().chain(condition).chain(of_solvers)
-    }));
-
     let y = Axis::new("error of the solver").log();
     let mut panel = Panel::new(Axis::new("intervals N").log(), y).tall(760.0);
     for (k, solver) in SOLVERS.into_iter().enumerate() {
@@ -56,7 +46,6 @@ pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let data = Table::new(["solver", "intervals", "worst_error", "cond_times_rounding"]).rows(errors.iter().map(row));
     let active_set = of(SOLVERS[0]);
     let values = context! {
-        table,
         finest => grids.last(),
         active_set => bound(active_set.iter().map(|error| error.2).fold(0.0, f64::max)),
     };
