@@ -164,9 +164,8 @@ pub fn of_contacts(scene: &Scene, contacts: &[Contact]) -> Result<Fields, Unprov
 fn of_places(scene: &Scene, contacts: &[Contact], exact: Option<&Exact>) -> Result<Fields, Unproven> {
     let stops: Vec<f64> = scene.beam().springs().iter().filter(|s| s.pushes_only).map(|support| support.at).collect();
     let is_at = |at: f64, other: f64| at.total_cmp(&other).is_eq();
-    let pushes = |at: &f64| {
-        exact.is_none_or(|exact| exact.state.supports.iter().any(|s| is_at(s.at, *at) && 0.0 < s.force))
-    };
+    let pushes =
+        |at: &f64| exact.is_none_or(|exact| exact.state.supports.iter().any(|s| is_at(s.at, *at) && 0.0 < s.force));
     let press: Vec<f64> = stops.iter().copied().filter(pushes).collect();
     let given = Given::of(scene, &press)?;
     // A stop is a spring, and no place of the ground.

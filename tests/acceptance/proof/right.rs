@@ -18,9 +18,19 @@ const SHARP: f64 = 1e-12;
 /// Random scenes on ground that gives.
 const SOFT: usize = 300;
 
-/// What the general beam has, as far as theory solves it, and how many scenes there are.
-const GENERAL: &[Feature] = &[Feature::Couple, Feature::Steps, Feature::Joint, Feature::Hinge];
-const GENERAL_SCENES: usize = 600;
+/// What a general beam has, on rigid ground, under tension and on an elastic foundation, and how many scenes there are.
+const RIGID: &[Feature] = &[
+    Feature::Couple,
+    Feature::Steps,
+    Feature::Joint,
+    Feature::Hinge,
+    Feature::Spring,
+    Feature::Turning,
+    Feature::Stop,
+];
+const PULLED: &[Feature] = &[Feature::Couple, Feature::Steps, Feature::Tension];
+const SOIL: &[Feature] = &[Feature::Couple, Feature::Steps, Feature::Joint, Feature::SoilSteps];
+const GENERAL_SCENES: usize = 400;
 
 /// Lines of the checker, prose included.
 const LINES: usize = 250;
@@ -115,9 +125,13 @@ fn random_scenes_on_ground_that_gives_are_proven() {
 /// Of these some three in four have no cosine.
 #[test]
 fn random_general_scenes_are_proven() {
-    for (of, on_soil) in [(GENERAL, false), (&[Feature::Couple][..], true)] {
+    for (of, on_soil) in [(RIGID, false), (PULLED, false), (SOIL, true)] {
         let scene = |i: u64| {
             let text = general(i, of, on_soil).text;
+            // A free beam under tension on one point has a balance that hangs on its deflection, to the last digit.
+            if text.contains("tension") && text.contains("supports = []") {
+                return None;
+            }
             let scene = parse("scene.toml", &text, |_| Err(ReadProblem::Missing)).ok()?;
             Some((format!("general {i}, soil {on_soil}"), scene))
         };

@@ -80,7 +80,8 @@ impl Draft {
     ///
     /// What is wrong with its numbers.
     pub fn beam(&self) -> Result<Beam, SceneError> {
-        let beam = Beam::new(self.length, self.stiffness)?.with_joints(self.joints.clone())?.with_tension(self.tension)?;
+        let beam =
+            Beam::new(self.length, self.stiffness)?.with_joints(self.joints.clone())?.with_tension(self.tension)?;
         let beam = if self.steps.is_empty() { beam } else { beam.with_steps(self.steps.clone())? };
         let beam = match &self.supports {
             Some(supports) => beam.with_supports(supports.clone())?,

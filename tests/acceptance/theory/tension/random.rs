@@ -203,5 +203,10 @@ fn random_beams_under_an_axial_force() {
             open.push(format!("{}\n{text}", solution.verdict));
         }
     }
-    assert!(200 * open.len() <= usize::try_from(count).expect("small") + 100, "{} of {count}\n{}", open.len(), open.join("\n"));
+    assert!(
+        200 * open.len() <= usize::try_from(count).expect("small") + 100,
+        "{} of {count}\n{}",
+        open.len(),
+        open.join("\n")
+    );
 }
