@@ -199,7 +199,7 @@ impl Judge {
     /// A span has numbers: not so a mechanism.
     fn known(&mut self, index: usize, span: &Span) {
         if !span.beam_a.iter().chain(&span.beam_b).all(|value| value.is_finite()) {
-            self.refuse(index, Violation::Unresolved { from: span.a.x, to: span.b.x });
+            self.refuse(index, Violation::Overflow);
         }
     }
 

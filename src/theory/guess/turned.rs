@@ -46,23 +46,23 @@ impl Samples {
         /// Times the stiffness of the beam: in numbers of 64 bits no more than that bends beside such a spring.
         const STIFF: f64 = 1e8;
         let (last, cube) = (samples.len() - 1, given.length * given.length * given.length);
-        for i in 0..=last {
+        for (i, sample) in samples.iter_mut().enumerate() {
             let at = self.breakpoint(given, i);
             let [left, right] = at.map_or([0; 2], |at| given.cells_beside(at));
             let slope = |cell: usize| given.derivative(cell, self.x[i], 1);
             if let Some(spring) = at.and_then(|at| given.spring_at(at)) {
                 let clearance = given.derivative(right, self.x[i], 0) - spring.level;
                 match spring.stiffness * cube < STIFF {
-                    true => samples[i].spring = [spring.stiffness, clearance],
-                    false => samples[i].held = Some(clearance),
+                    true => sample.spring = [spring.stiffness, clearance],
+                    false => sample.held = Some(clearance),
                 }
             }
             match at.and_then(|at| given.turning_at(at)) {
                 Some([k, without]) if i == 0 => {
-                    (samples[i].turning, samples[i].bend) = (k, samples[i].sides[1] + (slope(right) - without));
+                    (sample.turning, sample.bend) = (k, sample.sides[1] + (slope(right) - without));
                 }
                 Some([k, without]) if i == last => {
-                    (samples[i].turning, samples[i].bend) = (k, samples[i].sides[0] - (slope(left) - without));
+                    (sample.turning, sample.bend) = (k, sample.sides[0] - (slope(left) - without));
                 }
                 _ => {}
             }
