@@ -162,7 +162,7 @@ impl Proof {
         let held = bearings::held(&scaled.scene, witness)?;
         let said = |i: usize| {
             let [force, couple] = springs.get(i).copied().unwrap_or_default();
-            (true, [force / scaled.scale.force, couple / scaled.scale.moment()])
+            (false, [force / scaled.scale.force, couple / scaled.scale.moment()])
         };
         let said: Vec<_> = (0..held.beam().springs().len()).map(said).collect();
         let proven = with_springs(&held, scaled.balance, &said, |enclosed| {

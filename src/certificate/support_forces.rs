@@ -82,7 +82,9 @@ fn on_springs(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Interval> {
         // At an end of the beam there is one side.
         let sides = [before, after].into_iter().filter(|room| 0.0 < *room).map(|room| side(room.min(widest)));
         let bent = sides.fold(Interval::ZERO, |sum, side| sum + side);
-        let gives = enclosed.said_at(x).and_then(|said| said.gives.spring).map(|[k, _]| k);
+        let support = enclosed.support(x).and_then(|support| support.gives);
+        let gives = enclosed.said_at(x).map(|said| said.gives).or(support).and_then(|gives| gives.spring);
+        let gives = gives.map(|[k, _]| k);
         let others = gives.or_else(|| straight(enclosed, i).map(|square| k * square));
         let size = others.filter(|size| size.hi() < bent.hi()).unwrap_or(bent);
         force + Interval::around_zero((number(2) * Interval::exact(pair.gap) * size).sqrt().hi())

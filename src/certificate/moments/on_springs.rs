@@ -58,7 +58,8 @@ fn size(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2]) -> Interval {
     let [k, stiffness] = [enclosed.stiffest_ground(), enclosed.stiffest].map(Interval::exact);
     let (length, supports) = (enclosed.length, enclosed.supports);
     let width = Interval::length(from, to);
-    let stands = |x: f64| enclosed.support(x).is_some() || enclosed.said.iter().any(|said| said.x.total_cmp(&x).is_eq());
+    let stands =
+        |x: f64| enclosed.support(x).is_some() || enclosed.said.iter().any(|said| said.x.total_cmp(&x).is_eq());
     let is_free = [from, to].map(|x| !stands(x));
     let best = (number(10) * stiffness / k).sqrt().sqrt();
     let room = if is_free == [false; 2] { best.lo().min((width / number(4)).lo()) } else { best.lo() };

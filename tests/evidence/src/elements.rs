@@ -6,9 +6,10 @@
 //! (K + Σ k w NᵀN) u = f + Σ k w g Nᵀ        over the points with v > g;        R = (K u + … − f)  at what is held
 //! ```
 //!
-//! In a joint the slope has two freedoms, one for each side, with a turning spring between them.
+//! In a joint the slope has two freedoms, one for each side, with a turning spring between them. Supports that give are springs at freedoms;
+//! those that only push are switched as well.
 
-use palkki::scene::Scene;
+use palkki::scene::{Scene, Support};
 
 use crate::definition::{FIVE, intensity};
 
@@ -57,6 +58,14 @@ struct Point {
     shape: [f64; EACH],
     weight: f64,
     ground: f64,
+}
+
+/// A spring at a freedom, with its value without force.
+#[derive(Debug, Clone, Copy)]
+struct Spring {
+    freedom: usize,
+    stiffness: f64,
+    without: f64,
 }
 
 /// The elements of a scene.
@@ -119,6 +128,28 @@ impl<'a> Elements<'a> {
         elements
     }
 
+    /// The springs of supports that give: those that act both ways, and those that only push.
+    fn springs(&self) -> [Vec<Spring>; 2] {
+        let [mut both, mut pushing] = [Vec::new(), Vec::new()];
+        let turning = |at: f64, [stiffness, without]: [f64; 2]| Spring {
+            freedom: self.freedoms[self.node(at)][1],
+            stiffness,
+            without,
+        };
+        both.extend(self.scene.held().iter().filter_map(|held| held.turning.map(|of| turning(held.at, of))));
+        for spring in self.scene.springs() {
+            let freedom = self.freedoms[self.node(spring.at)][0];
+            let of = Spring { freedom, stiffness: spring.stiffness, without: spring.deflection };
+            if spring.pushes_only {
+                pushing.push(of)
+            } else {
+                both.push(of)
+            }
+            both.extend(spring.turning.map(|of| turning(spring.at, of)));
+        }
+        [both, pushing]
+    }
+
     fn node(&self, x: f64) -> usize {
         let off = |i: &usize| (self.nodes[*i] - x).abs();
         (0..self.nodes.len()).min_by(|a, b| off(a).total_cmp(&off(b))).expect("nodes")
@@ -152,8 +183,12 @@ impl<'a> Elements<'a> {
     }
 
     /// The beam with these springs on and these freedoms held: its freedoms and what holds them.
-    fn solve(&self, on: &[bool], held: &[(usize, f64)]) -> [Vec<f64>; 2] {
+    fn solve(&self, on: &[bool], held: &[(usize, f64)], springs: &[Spring]) -> [Vec<f64>; 2] {
         let (mut rows, mut right) = (self.bending(), self.load.clone());
+        for Spring { freedom, stiffness, without } in springs {
+            (rows[*freedom][0], right[*freedom]) =
+                (rows[*freedom][0] + stiffness, right[*freedom] + stiffness * without);
+        }
         for (point, _) in self.points.iter().zip(on).filter(|(_, on)| **on) {
             let freedoms = of_element(&self.freedoms, point.element);
             for i in 0..EACH {
@@ -235,31 +270,44 @@ pub fn solved_by(scene: &Scene, elements: u32) -> Option<Found> {
     }
     let bearings: Vec<(usize, f64)> =
         scene.bearings().map(|b| (elements.freedoms[elements.node(b.at)][0], b.gap)).collect();
-    let mut presses = vec![true; bearings.len()];
+    let [both, stops] = elements.springs();
+    let mut presses = vec![true; bearings.len() + stops.len()];
     let size: f64 = elements.freedoms.iter().map(|freedoms| elements.load[freedoms[0]].abs()).sum();
     let mut on = vec![true; elements.points.len()];
     for _ in 0..CHANGES {
         let stands = bearings.iter().zip(&presses).filter(|(_, presses)| **presses).map(|(bearing, _)| *bearing);
         let held: Vec<(usize, f64)> = always.iter().copied().chain(stands).collect();
+        let stopped = stops.iter().zip(&presses[bearings.len()..]).filter(|(_, presses)| **presses);
+        let springs: Vec<Spring> = both.iter().copied().chain(stopped.map(|(stop, _)| *stop)).collect();
         let [u, lacking] = (0..CHANGES).find_map(|_| {
-            let [u, lacking] = elements.solve(&on, &held);
+            let [u, lacking] = elements.solve(&on, &held, &springs);
             let next: Vec<bool> = elements.points.iter().map(|p| p.ground < elements.deflection(&u, p)).collect();
             let stays = next == on;
             on = next;
             stays.then_some([u, lacking])
         })?;
-        let wrong: Vec<usize> = (0..bearings.len())
+        let wrong: Vec<usize> = (0..presses.len())
             .filter(|&i| {
+                if let Some(stop) = i.checked_sub(bearings.len()).map(|i| stops[i]) {
+                    return presses[i] != (stop.without < u[stop.freedom]);
+                }
                 let (freedom, level) = bearings[i];
                 if presses[i] { lacking[freedom] < -1e-9 * size } else { level + 1e-9 * level.abs() < u[freedom] }
             })
             .collect();
         let Some(last) = wrong.last() else {
             let below = |point: &Point| (elements.deflection(&u, point) - point.ground).max(0.0) * point.weight;
-            let force = |at: f64| lacking[elements.freedoms[elements.node(at)][0]];
+            let force = |support: &Support| {
+                let of = elements.freedoms[elements.node(support.at)][0];
+                let given = scene.springs().find(|spring| (spring.at - support.at).abs() <= 0.0);
+                given.map_or(lacking[of], |spring| {
+                    let force = spring.stiffness * (u[of] - spring.deflection);
+                    if spring.pushes_only { force.max(0.0) } else { force }
+                })
+            };
             let deflection = elements.nodes.iter().zip(&elements.freedoms).map(|(x, of)| [*x, u[of[0]]]).collect();
             return Some(Found {
-                supports: scene.beam().all_supports().iter().map(|support| force(support.at)).collect(),
+                supports: scene.beam().all_supports().iter().map(force).collect(),
                 contact: elements.points.iter().map(below).sum(),
                 deflection,
             });

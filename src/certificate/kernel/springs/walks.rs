@@ -104,7 +104,8 @@ impl OnSprings<'_> {
 
     /// The same for `M` and `V`, and the moments on both sides of the nodes that are walked to.
     pub(super) fn walk_moments(&mut self, spans: &[Option<Span>], moments: &mut [[Interval; 2]]) -> Vec<Option<Walk>> {
-        let is_built_in = |on: &Self, node: usize| on.enclosed.support(on.x(node)).is_some_and(EnclosedSupport::holds_slope);
+        let is_built_in =
+            |on: &Self, node: usize| on.enclosed.support(on.x(node)).is_some_and(EnclosedSupport::holds_slope);
         let is_known = |node: usize| {
             let is_end = node == 0 || node == spans.len();
             let overhangs = || [true, false].into_iter().any(|left| self.overhanging(spans, node, left).is_some());
