@@ -11,7 +11,7 @@
 
 use std::sync::OnceLock;
 
-use crate::certificate::{Certificate, Judged, Proof, Stretch, certify};
+use crate::certificate::{Certificate, Hung, Judged, Proof, Stretch, certify};
 use crate::scene::{Foundation, Scene, SceneError};
 use crate::state::Contact;
 use crate::theory::{self, Exact};
@@ -38,21 +38,22 @@ pub(crate) struct ExactContacts {
     contacts: Vec<Contact>,
     held: Vec<(f64, bool)>,
     springs: Vec<[f64; 2]>,
+    hung: Vec<Hung>,
     stretches: Option<Vec<Stretch>>,
 }
 
 impl ExactContacts {
     /// Those of an answer of theory, whether it is a solution or not.
     pub(crate) fn of(exact: &Exact) -> Self {
-        let springs = exact.sprung();
-        Self { contacts: exact.witness(), held: exact.held(), springs, stretches: exact.stretches() }
+        let (springs, hung) = (exact.sprung(), exact.hung());
+        Self { contacts: exact.witness(), held: exact.held(), springs, hung, stretches: exact.stretches() }
     }
 
     /// What they prove, if the scene can be scaled.
     pub(crate) fn proof(&self, scene: &Scene) -> Option<Proof> {
         match &self.stretches {
             Some(stretches) => Proof::of_stretches_on(scene, stretches, &self.springs).ok(),
-            None => Proof::of_held(scene, &self.contacts, &self.held, &self.springs).ok(),
+            None => Proof::of_held(scene, &self.contacts, &self.held, &self.springs, &self.hung).ok(),
         }
     }
 }

@@ -180,12 +180,12 @@ pub(super) fn lies_idle(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, ends:
     pair.ground.is_none() && is_uniform(enclosed) && starts && idle() && reaches(enclosed, x, side).any(touches_beyond)
 }
 
-/// Whether the beam has one stiffness, no joints, and no springs but such as hold it at single places: what is proven here is not proven
-/// of others.
+/// Whether the beam has one stiffness, no joints, no axial force, and no springs but such as hold it at single places: what is proven here
+/// is not proven of others.
 fn is_uniform(enclosed: &EnclosedScene<'_>) -> bool {
     let turns = |support: &EnclosedSupport| support.gives.is_some_and(|gives| gives.turning.is_some());
     let gives = !enclosed.said.is_empty() || enclosed.supports.iter().any(turns);
-    enclosed.changes.is_empty() && enclosed.joints.is_empty() && !gives
+    enclosed.changes.is_empty() && enclosed.joints.is_empty() && enclosed.tension == 0.0 && !gives
 }
 
 /// Whether a couple acts in a part or at an end of it.

@@ -83,5 +83,7 @@ pub(super) fn with_springs<R>(
         changes: &changes,
         joints: &joints,
         said: &said,
+        tension: beam.tension(),
+        hung: &[],
     })
 }

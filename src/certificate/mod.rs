@@ -72,6 +72,7 @@ use self::kernel::contact_node::EnclosedScene;
 use self::kernel::distance::{self, Error};
 use self::kernel::held::hold_by_zones;
 use self::kernel::proof::{self, Pair, Piece};
+pub(crate) use self::kernel::tension::{Hung, MOST_TERMS};
 use self::largest::{extremes, largest};
 use self::quantities::energy;
 use self::standing::Standing;
@@ -108,11 +109,12 @@ impl Proof {
     ///
     /// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled.
     pub fn of(scene: &Scene, witness: &[Contact]) -> Result<Self, SceneError> {
-        Self::of_held(scene, witness, &[], &[])
+        Self::of_held(scene, witness, &[], &[], &[])
     }
 
-    /// The same with the places of supports at which the ground holds the slope, and whether it does so from the left; and with the forces
-    /// of the supports that give, from left to right, and by how much each makes the moment jump.
+    /// The same with the places of supports at which the ground holds the slope, and whether it does so from the left; with the forces
+    /// of the supports that give, from left to right, and by how much each makes the moment jump; and under an axial force with the
+    /// deflection between contacts, in the units of [`Scene::scaled`].
     ///
     /// # Errors
     ///
@@ -122,6 +124,7 @@ impl Proof {
         witness: &[Contact],
         held: &[(f64, bool)],
         springs: &[[f64; 2]],
+        hung: &[Hung],
     ) -> Result<Self, SceneError> {
         scene.on_rigid_ground("a certificate from a list of contacts")?;
         let scaled = scene.scaled()?;
@@ -133,6 +136,7 @@ impl Proof {
         });
         let said: Vec<_> = said.collect();
         let (pair, known) = with_springs(&scaled.scene, scaled.balance, &said, |enclosed| {
+            let enclosed = &EnclosedScene { hung, ..*enclosed };
             of_pair(enclosed, &scaled, best_pair(enclosed, witness, held, &scaled.scale))
         });
         Ok(Self { scaled, pair, known })
@@ -149,19 +153,11 @@ impl Proof {
     }
 
     /// The same with the forces of the supports that give, from left to right, and by how much each makes the moment jump.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Proof::of_stretches`].
-    pub(crate) fn of_stretches_on(
-        scene: &Scene,
-        witness: &[Stretch],
-        springs: &[[f64; 2]],
-    ) -> Result<Self, SceneError> {
+    pub(crate) fn of_stretches_on(scene: &Scene, witness: &[Stretch], on: &[[f64; 2]]) -> Result<Self, SceneError> {
         let scaled = scene.scaled()?;
         let held = bearings::held(&scaled.scene, witness)?;
         let said = |i: usize| {
-            let [force, couple] = springs.get(i).copied().unwrap_or_default();
+            let [force, couple] = on.get(i).copied().unwrap_or_default();
             (false, [force / scaled.scale.force, couple / scaled.scale.moment()])
         };
         let said: Vec<_> = (0..held.beam().springs().len()).map(said).collect();

@@ -33,6 +33,8 @@
 //! Couples are left out of all of this: both moments, without the steps that these make, are of the kind above, and the steps are known.
 //! `P` and `J` are sums over what is within `2w` of a place that is within `w` of another one: the greatest sum over any `8w` is enough.
 //!
+//! An axial force is a load `N v*''`, of which `N v̂''` is known and `∫ N (v* − v̂)'' φ dx` is by parts no more than `4 |N| max |v* − v̂|`.
+//!
 //! Two solves of a beam with a kink at `x` bound `M*(x)` as well, since the energy is convex in the angle and its derivative is
 //! `−M*(x)`; but at one place each time, and to the root of what is rounded of an energy. A gap is of the size of the square of
 //! that, and this its third root.
@@ -43,6 +45,7 @@ mod on_springs;
 
 use super::beside::lies_beside;
 use super::kernel::contact_node::{EnclosedScene, EnclosedSupport};
+use super::kernel::distance;
 use super::kernel::interval::Interval;
 use super::kernel::polynomial::{Polynomial, number};
 use super::kernel::proof::Pair;
@@ -94,6 +97,8 @@ fn error(enclosed: &EnclosedScene<'_>, pair: &Pair, pieces: &[([f64; 2], Polynom
     let slope = pieces.iter().map(|(ends, m)| m.derivative().range(width(ends)).magnitude()).fold(0.0, f64::max);
     let distributed = pieces.iter().flat_map(|(ends, _)| ends.map(|x| load.line(x, *ends)[0].magnitude()));
     let distributed = distributed.fold(0.0, f64::max);
+    let (pulled, turned) = axial(enclosed, pair, pieces)?;
+    let distributed = distributed + pulled;
     let mut points: Vec<(f64, f64)> = load.points.iter().map(|p| (p.0, p.1.magnitude())).collect();
     let off = |[k, _]: [Interval; 2]| (number(2) * Interval::exact(pair.gap) * k).sqrt().hi();
     points.extend(enclosed.said.iter().map(|said| (said.x, said.gives.spring.map_or(0.0, off))));
@@ -109,10 +114,22 @@ fn error(enclosed: &EnclosedScene<'_>, pair: &Pair, pieces: &[([f64; 2], Polynom
     let energy = 5.0 * pair.gap * stiffness;
     let best = libm::cbrt(energy / (4.0 * changes(0.0) * changes(0.0)));
     let w = if best < most { best } else { most };
-    let turned = enclosed.said.iter().filter_map(|said| said.gives.turning).map(off).sum::<f64>();
-    let jump = within(&jumps, 8.0 * w) + 2.0 * turned;
-    let error = changes(w) * w + 0.5 * distributed * w * w + 1.5 * jump + (energy / w).sqrt();
+    let sprung = enclosed.said.iter().filter_map(|said| said.gives.turning).map(off).sum::<f64>();
+    let jump = within(&jumps, 8.0 * w) + 2.0 * sprung;
+    let error = changes(w) * w + 0.5 * distributed * w * w + 1.5 * jump + (energy / w).sqrt() + turned;
     (error.is_finite() && 0.0 < w).then_some((error * OUTWARDS, 0.0 < beside))
+}
+
+/// The load `|N v̂''|` that an axial force is at most, and what it makes of `v* − v̂`; [`None`] with joints, where it is concentrated as well.
+fn axial(enclosed: &EnclosedScene<'_>, pair: &Pair, pieces: &[([f64; 2], Polynomial)]) -> Option<(f64, f64)> {
+    let force = enclosed.tension.abs();
+    if force == 0.0 {
+        return Some((0.0, 0.0));
+    }
+    enclosed.joints.is_empty().then_some(())?;
+    let bent = pieces.iter().map(|(ends, m)| m.range(Interval::length(ends[0], ends[1])).magnitude());
+    let off = distance::anywhere(pair, enclosed.stiffness, enclosed.length);
+    Some((force * bent.fold(0.0, f64::max) / enclosed.stiffness * OUTWARDS, 4.0 * force * off * OUTWARDS))
 }
 
 /// At least the greatest sum of what is at places, from left to right, in a window of this width.

@@ -6,7 +6,7 @@ use super::kernel::polynomial::Polynomial;
 use super::kernel::proof::Piece;
 use crate::scene::{Concentrated, Load};
 
-/// `J(v) = ½∫EI v''² dx − ∫q v dx − Σ P v − Σ C v'` of a deflection, (17) with point loads and couples. Pieces end where the load changes.
+/// `J(v) = ½∫EI v''² dx + ½∫N v'² dx − ∫q v dx − Σ P v − Σ C v'` of a deflection, (17) with point loads and couples. Pieces end where the load changes.
 pub(super) fn energy(pieces: &[Piece], enclosed: &EnclosedScene<'_>) -> Interval {
     let load = enclosed.load;
     let mut sum = Interval::ZERO;
@@ -15,6 +15,10 @@ pub(super) fn energy(pieces: &[Piece], enclosed: &EnclosedScene<'_>) -> Interval
         let bent = v.derivative().derivative();
         let bending = bent.integral_of_product(&bent, width).not_negative()
             * Interval::exact(0.5 * enclosed.stiffness_between([*from, *to]));
+        let turned = v.derivative();
+        let pulled =
+            || turned.integral_of_product(&turned, width).not_negative() * Interval::exact(0.5 * enclosed.tension);
+        let bending = if enclosed.tension == 0.0 { bending } else { bending + pulled() };
         let done = Polynomial::new(&load.line(*from, [*from, *to])).integral_of_product(v, width)
             + load.point(*from) * v.at(Interval::ZERO)
             + load.couple(*from) * v.derivative().at(Interval::ZERO);

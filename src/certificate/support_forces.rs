@@ -15,12 +15,14 @@
 //!
 //! Where no more than two supports and no ground can carry a beam, its forces follow from statics alone.
 //!
+//! Under an axial force the vertical forces differ by such a `κ` (`under_axial_force`).
+//!
 //! A support that only pushes is a point of the ground. Where the beam is clear of the ground beside it, its force follows in the
 //! same way; where the beam is clear of it, it is zero.
 
 use super::beside::{bends_away, lies_beside, lies_idle, opens};
 use super::kernel::contact_node::EnclosedScene;
-use super::kernel::distance::{factor, lines, on_part};
+use super::kernel::distance::{self, factor, lines, on_part};
 use super::kernel::foundation::inside;
 use super::kernel::giving::SaidSpring;
 use super::kernel::interval::Interval;
@@ -63,7 +65,7 @@ pub(super) fn forces(
 /// |R − R*| ≤ √( 2 gap ∫ (EI φ''² + k φ²) dx ),    φ = 1 − 3t² + 2t³ for t = s/w:    12 EI/w³ + 13 k w/35 on each side
 /// ```
 ///
-/// (and `k_s` of a support that gives, whose force is off by no more than `√(2 gap k_s)`), with the greatest `EI` and `k`, for the forces of the pair, least where `w⁴ = 36·35 EI / 13 k`. Where statics alone give the forces of the supports, `φ` is a line, with
+/// with the greatest `EI` and `k`, for the forces of the pair, least where `w⁴ = 36·35 EI / 13 k`. Where statics alone give the forces of the supports, `φ` is a line, with
 /// `∫ k φ² dx` alone, which is less on soft ground. `R` is one of the reactions of the pair, which enclose what is cut off: each
 /// support takes no more than the share that is added on both sides.
 fn on_springs(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Interval> {
@@ -82,11 +84,7 @@ fn on_springs(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Interval> {
         // At an end of the beam there is one side.
         let sides = [before, after].into_iter().filter(|room| 0.0 < *room).map(|room| side(room.min(widest)));
         let bent = sides.fold(Interval::ZERO, |sum, side| sum + side);
-        let support = enclosed.support(x).and_then(|support| support.gives);
-        let gives = enclosed.said_at(x).map(|said| said.gives).or(support).and_then(|gives| gives.spring);
-        let gives = gives.map(|[k, _]| k);
-        let others = gives.or_else(|| straight(enclosed, i).map(|square| k * square));
-        let size = others.filter(|size| size.hi() < bent.hi()).unwrap_or(bent);
+        let size = straight(enclosed, i).map(|square| k * square).filter(|size| size.hi() < bent.hi()).unwrap_or(bent);
         force + Interval::around_zero((number(2) * Interval::exact(pair.gap) * size).sqrt().hi())
     };
     supports_of(enclosed, pair).into_iter().enumerate().map(bracket).collect()
@@ -158,10 +156,20 @@ fn by_statics(scene: &Scene, load: &Load, enclosed: &EnclosedScene<'_>, pair: &P
     let touched: Vec<f64> = all.iter().copied().filter(|x| is_free && touches(x)).collect();
     let [a, b] = touched[..] else { return None };
     let apart = Interval::length(a, b);
+    // The axial force turns a beam that is held at its two ends by the difference of their levels.
+    let pulled = if enclosed.tension == 0.0 {
+        Interval::ZERO
+    } else {
+        let levels = [(a, 0.0), (b, enclosed.length)].map(|(x, end)| {
+            let held = enclosed.support(x).filter(|_| x.total_cmp(&end).is_eq());
+            held.map(|support| support.deflection)
+        });
+        Interval::exact(enclosed.tension) * (levels[1]? - levels[0]?) / apart
+    };
     let force = |x: f64| {
         let force = match x {
-            _ if x <= a && a <= x => -moment(load, enclosed.length, b) / apart,
-            _ if x <= b && b <= x => moment(load, enclosed.length, a) / apart,
+            _ if x <= a && a <= x => -moment(load, enclosed.length, b) / apart + pulled,
+            _ if x <= b && b <= x => moment(load, enclosed.length, a) / apart - pulled,
             _ => return Interval::ZERO,
         };
         if enclosed.pushes_at(x) { force.not_negative() } else { force }
@@ -198,7 +206,11 @@ fn supports(enclosed: &EnclosedScene<'_>, pair: &Pair, load: Interval) -> Vec<Op
         for side in [0, 1] {
             let share = if given[1 - side] && enclosed.support(x).is_none_or(|s| !s.holds_slope()) { 6 } else { 24 };
             let c = Interval::exact(least_magnitude(clear[side]));
-            let turn = number(share) * Interval::exact(enclosed.stiffest) * Interval::exact(pair.gap) / (c * c * c);
+            let turn = if enclosed.tension == 0.0 {
+                number(share) * Interval::exact(enclosed.stiffest) * Interval::exact(pair.gap) / (c * c * c)
+            } else {
+                under_axial_force(enclosed, pair, c)
+            };
             match (given[side] || lies_beside(enclosed, pair, x, side), c.lo() <= 0.0) {
                 (true, _) => {}
                 (false, true) => return None,
@@ -229,6 +241,24 @@ fn own_bracket(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, force: Interva
     let [k, _] = gives.spring?;
     let bracket = force + Interval::around_zero((number(2) * Interval::exact(pair.gap) * k).sqrt().hi());
     Some(if gives.pushes { bracket.positive_part() } else { bracket })
+}
+
+/// At least `κ²` of a beam under an axial force, whose vertical forces differ by `κ = m' + N w'`, `w = v̂ − v*`, up to the distance `c`. The
+/// moments of the pair are in balance with the loads and `N v̂''`, so that they are `ρ` off `−EI v̂''`, and with `φ = 6 s (c − s)/c³`
+///
+/// ```text
+/// κ = ∫ κ φ dx = −∫ m φ' dx + ∫ N w' φ dx,    ‖m‖ ≤ ρ + ‖w‖ ≤ 2 √(2 gap)
+/// |κ| ≤ √(2 gap) (2 √(12 EI/c³) + √(6 N/5 c)),      under compression with max |w| (∫ |φ'| dx = 3/c) in the last term: 3 |N| max |w|/c
+/// ```
+fn under_axial_force(enclosed: &EnclosedScene<'_>, pair: &Pair, c: Interval) -> Interval {
+    let (root, force) = ((number(2) * Interval::exact(pair.gap)).sqrt(), Interval::exact(enclosed.tension.abs()));
+    let bent = number(2) * root * (number(12) * Interval::exact(enclosed.stiffest) / (c * c * c)).sqrt();
+    let pulled = if 0.0 < enclosed.tension {
+        root * (number(6) * force / (number(5) * c)).sqrt()
+    } else {
+        number(3) * force * Interval::exact(distance::anywhere(pair, enclosed.stiffness, enclosed.length)) / c
+    };
+    (bent + pulled).square()
 }
 
 /// Whether the beam is proven to be clear of the support that only pushes at a place.
@@ -268,9 +298,13 @@ fn parts<'a>(
 ) -> impl Iterator<Item = Part<'a>> {
     /// Parts of a piece; only how far a proof reaches depends on it.
     const PARTS: u32 = 16;
+    /// The same where there are many pieces, as under an axial force: *tuned* on 2,000 of them.
+    const FEWER: u32 = 2;
+    const MANY: usize = 256;
     /// Parts that are looked at together: *tuned* on surveys of 2·10⁴ and 2·10⁵ points, of which one touches.
     const TOGETHER: usize = 64;
     let (gap, from, to) = (enclosed.gap, support.min(end), support.max(end));
+    let count = if enclosed.tension != 0.0 && MANY < pair.pieces.len() { FEWER } else { PARTS };
     let part = move |piece: &'a Piece, ends: [f64; 2], ground: &Polynomial| {
         let near = ends[usize::from(end < support)];
         let clearance = ground.minus(&piece.v.shifted(Interval::exact(near) - Interval::exact(piece.from)));
@@ -282,7 +316,7 @@ fn parts<'a>(
     let pieces = std::iter::from_fn(move || if end < support { left.next_back() } else { left.next() });
     let blocks = pieces.flat_map(move |piece| {
         let mut ends: Vec<f64> =
-            (0..=PARTS).map(|k| piece.from + (piece.to - piece.from) * (f64::from(k) / f64::from(PARTS))).collect();
+            (0..=count).map(|k| piece.from + (piece.to - piece.from) * (f64::from(k) / f64::from(count))).collect();
         ends.extend(gap.breaks(piece.from, piece.to));
         ends.sort_by(f64::total_cmp);
         ends.dedup();

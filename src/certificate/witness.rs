@@ -19,6 +19,7 @@ use super::kernel::contact_node::{ContactNode, EnclosedScene, EnclosedSupport, S
 use super::kernel::gap::EnclosedGap;
 use super::kernel::giving::Giving;
 use super::kernel::interval::Interval;
+use super::kernel::polynomial::Polynomial;
 use super::kernel::proof::{Pair, Piece};
 use crate::scene::Scale;
 use crate::state::Contact;
@@ -107,7 +108,7 @@ impl EnclosedScene<'_> {
 
     /// Whether the beam may rest on a place and turn there: on a corner of the gap, or with a joint.
     fn is_edge(&self, x: f64) -> bool {
-        self.gap.is_corner(x) || self.joints.iter().any(|joint| joint.0.total_cmp(&x).is_eq())
+        self.gap.is_corner(x) || self.is_joint(x)
     }
 }
 
@@ -158,6 +159,7 @@ fn find_slopes(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
         return;
     }
     if let [node] = nodes
+        && enclosed.tension <= 0.0
         && (enclosed.balanced_at == Some(node.x) || enclosed.supports.is_empty())
         && let Slope::Free(slope) = &mut node.slope
     {
@@ -165,7 +167,11 @@ fn find_slopes(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
         along_level_ground(enclosed, nodes);
         return;
     }
-    balance(enclosed, nodes);
+    if enclosed.tension == 0.0 {
+        balance(enclosed, nodes);
+    } else {
+        as_given(enclosed, nodes);
+    }
     along_level_ground(enclosed, nodes);
     at_corners(enclosed, nodes);
 }
@@ -228,6 +234,19 @@ fn least_sample(function: impl Fn(f64) -> f64, width: f64, bound: f64) -> f64 {
         part = beside.map(place);
     }
     least
+}
+
+/// Under an axial force the slopes are those of the deflection that is given besides, just right of a node or, where there is none, left.
+fn as_given(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
+    for node in nodes {
+        let Slope::Free(slope) = &mut node.slope else { continue };
+        let right = enclosed.hung.iter().find(|part| part.from <= node.x && node.x < part.to);
+        let Some(part) = right.or_else(|| enclosed.hung.iter().find(|part| part.to.total_cmp(&node.x).is_eq())) else {
+            continue;
+        };
+        let turned = Polynomial::of(part.deflection.iter().map(|c| Interval::exact(*c))).derivative();
+        *slope = turned.at(Interval::length(part.from, node.x)).middle();
+    }
 }
 
 /// Finds the slopes for which the moments are balanced.
@@ -301,7 +320,7 @@ fn at_corners(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
         let Slope::Free(slope) = &mut node.slope else { continue };
         let [before, after] = enclosed.gap.slopes(node.x);
         // The slope of a node is that beyond its joint.
-        let before = before.filter(|_| !enclosed.joints.iter().any(|joint| joint.0.total_cmp(&node.x).is_eq()));
+        let before = before.filter(|_| !enclosed.is_joint(node.x));
         let margin = |bound: f64| INSIDE * (bound.abs() + slope.abs());
         let least = before.filter(|_| 0.0 < node.x).map_or(f64::NEG_INFINITY, |b| b + margin(b));
         let most = after.filter(|_| node.x < enclosed.length).map_or(f64::INFINITY, |a| a - margin(a));

@@ -122,7 +122,7 @@ pub(super) enum Command {
     /// Solve a scene by every method with every solver, and print the answers side by side.
     ///
     /// Each row has its status, its time and two errors. The solver error is the difference from the answer of the active-set solver on the same grid.
-    /// The grid error is the difference from the grid-free solution, if there is one. Both are the largest relative difference of end reactions, energy
+    /// The model error is the difference from the grid-free solution, if there is one. Both are the largest relative difference of end reactions, energy
     /// and largest deflection. The exit code is 0 if at least one answer passed our check.
     #[command(after_help = COMPARE_EXAMPLE)]
     Compare(Compare),

@@ -21,6 +21,9 @@ pub(super) fn given(scene: &Scene, labels: &Labels) -> Vec<(&'static str, String
         };
         lines.push(("joints", few(&scene.beam().joints().iter().map(one).collect::<Vec<_>>())));
     }
+    if scene.beam().tension() != 0.0 {
+        lines.push(("tension", labels.force.value(scene.beam().tension())));
+    }
     if !scene.beam().is_simple() {
         lines.push(("supports", supports(scene, labels)));
     }

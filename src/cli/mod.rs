@@ -160,6 +160,7 @@ fn solve(arguments: &Solve) -> Result<u8, Failure> {
     let on_beam = |input: &Input| {
         if arguments.derivatives {
             input.scene.is_uniform("--derivatives").map_err(|error| input.error(error))?;
+            input.scene.has_no_tension("--derivatives").map_err(|error| input.error(error))?;
             input.scene.is_firm("--derivatives").map_err(|error| input.error(error))?;
         }
         let answer = Answer::of(input, arguments.route()?)?;
@@ -259,6 +260,7 @@ fn explain(arguments: &explain::Explain) -> Result<u8, Failure> {
         if input.scene.ground_stiffness().is_some() {
             input.scene.is_uniform("explain").map_err(|error| input.error(error))?;
         }
+        input.scene.has_no_tension("explain").map_err(|error| input.error(error))?;
         input.scene.is_firm("explain").map_err(|error| input.error(error))?;
         let answer = Answer::of(input, Route::Exact(Demand::default()))?;
         let text = explain::text(input, &answer, *format);

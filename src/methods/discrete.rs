@@ -79,7 +79,8 @@ impl Discrete {
 
     fn unmeasured(scene: &Scene, intervals: usize, coarse: bool) -> Result<Self, SceneError> {
         scene.is_grounded_throughout("a method on a grid")?;
-        scene.is_firm("a method on a grid")?;
+        scene.has_no_tension("a method on a grid")?;
+        scene.gives_as_known("a method on a grid")?;
         let grid = Grid::uniform(scene, intervals)?;
         let supports = Supports::on(&grid, scene)?;
         let open = scene.foundation().is_none() && !supports.bearings().is_empty();
@@ -106,15 +107,16 @@ impl Discrete {
     pub fn give(&self, node: usize) -> f64 {
         match self.supports.bearings() {
             [] => self.grid.give(&self.ground, node, |_| false),
-            _ if self.supports.pushing(node).is_some() => 0.0,
-            _ => self.grid.give(&self.ground, node, |node| self.supports.is_sunk(node)),
+            _ => match self.supports.pushing(node) {
+                Some(bearing) => bearing.give,
+                None => self.grid.give(&self.ground, node, |node| self.supports.is_sunk(node)),
+            },
         }
     }
 
     /// The least that the ground gives below a node inside.
     pub(super) fn give_inside(&self) -> f64 {
-        let stiffest = self.ground.iter().map(|(_, k)| *k).reduce(f64::max);
-        stiffest.map_or(0.0, |k| self.whole_give(k))
+        self.ground.iter().map(|(_, k)| *k).reduce(f64::max).map_or(0.0, |k| self.whole_give(k))
     }
 
     /// What ground of this stiffness gives below a node inside.
@@ -129,9 +131,14 @@ impl Discrete {
         beside.fold(0.0, |most, (_, k)| k.max(most))
     }
 
-    /// Whether the ground gives at all.
+    /// Whether anything gives that the beam may touch: the ground, or a support that only pushes.
     #[must_use]
     pub fn gives(&self) -> bool {
+        self.ground_gives() || self.supports.bearings().iter().any(|bearing| 0.0 < bearing.give)
+    }
+
+    /// Whether the ground gives at all.
+    pub(super) fn ground_gives(&self) -> bool {
         !self.ground.is_empty()
     }
 
@@ -334,12 +341,7 @@ impl Discrete {
 
     /// The same without loads, and with all supports and slopes at zero: what is left is linear in contact forces.
     pub(super) fn bare(&self) -> Self {
-        let mut all = self.supports.all().to_vec();
-        for support in &mut all {
-            support.held.deflection = 0.0;
-            support.held.slope = support.held.slope.map(|_| 0.0);
-        }
-        self.on(self.supports.holding(all), vec![0.0; self.loads.len()])
+        self.on(self.supports.at_zero(), vec![0.0; self.loads.len()])
     }
 }
 

@@ -132,8 +132,6 @@ impl Divisions {
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::DMatrix;
-
     use super::*;
     use crate::methods::discrete::as_float;
 
@@ -150,8 +148,25 @@ mod tests {
                 [line, slope].into_iter().take(holds)
             })
             .collect();
-        let matrix = DMatrix::from_fn(rows.len(), unknowns, |i, j| rows[i][j]);
-        unknowns - if rows.is_empty() { 0 } else { matrix.rank(1e-9) }
+        unknowns - rank(rows, unknowns)
+    }
+
+    /// How many of some rows of small whole numbers are independent.
+    fn rank(mut rows: Vec<Vec<f64>>, columns: usize) -> usize {
+        let mut rank = 0;
+        for column in 0..columns {
+            let size = |i: &usize| rows[*i][column].abs();
+            let pivot = (rank..rows.len()).max_by(|i, j| size(i).total_cmp(&size(j))).filter(|i| 1e-9 < size(i));
+            let Some(pivot) = pivot else { continue };
+            rows.swap(rank, pivot);
+            let (done, others) = rows.split_at_mut(rank + 1);
+            for row in others {
+                let factor = row[column] / done[rank][column];
+                row.iter_mut().zip(&done[rank]).for_each(|(value, above)| *value -= factor * above);
+            }
+            rank += 1;
+        }
+        rank
     }
 
     /// Whatever hinges a beam of eight intervals has and whichever nodes hold it: what is missing is enough, and nothing is where nothing

@@ -16,22 +16,20 @@
 //! Eliminating `s` would give five-moment equations, whose condition number grows like `1/κ`. At a support, one that only pushes among them, `κ = ∞`; at the outermost
 //! nodes the moment is known.
 
-use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
-
 use super::Discrete;
 use super::contact_set::ContactSet;
 use super::discrete::as_float;
-use super::divisions::LOOSE;
 use super::span::{Span, links};
+use super::turns::{SOFT, turn};
 use crate::qp::NotPositiveDefinite;
 use crate::qp::blocks::{self, Block, PENALTY};
 use crate::state::Discretisation;
 
 /// A node: its block, `κ`, and the right-hand sides.
-struct Row {
-    block: Block,
+pub(super) struct Row {
+    pub(super) block: Block,
     spring: f64,
-    right: [f64; 2],
+    pub(super) right: [f64; 2],
 }
 
 impl AsMut<Block> for Row {
@@ -64,7 +62,7 @@ pub(super) fn solve(
             let w = (2.0 * (a + b) + (at_left + at_right)) / 6.0;
             let turned = (left.rotations[1] + right.rotations[0]) / 6.0;
             // Of the line through the places that hold the beam, from which the others count.
-            let bend = if is_free { 0.0 } else { discrete.bend(before, node, next_held(list, i)) };
+            let bend = if is_free { 0.0 } else { list.bend(discrete, [before, node, next_held(list, i)]) };
             let joint = discrete.divisions().joint(node);
             if SOFT < joint {
                 soft.push((i, 1.0 / joint));
@@ -74,12 +72,18 @@ pub(super) fn solve(
             let [moment, force] = outermost[usize::from(0 < i)];
             [PENALTY, -PENALTY * moment, force]
         };
-        let is_held = discrete.supports().below(node).is_some();
+        // A support that gives, beside ground that does or alone: its force counts from its own level.
+        let [own, preload] = discrete.supports().spring(node).map_or([0.0; 2], |spring| {
+            [unit * spring.stiffness, spring.stiffness * (list.level(discrete, node) - spring.deflection)]
+        });
         let spring = match discrete.give(node) {
             _ if is_free => 0.0,
-            give if is_held || give <= 0.0 => PENALTY,
-            give => unit / give,
+            _ if list.is_sprung(node) => own,
+            _ if discrete.supports().at(node).is_some() => PENALTY,
+            give if give <= 0.0 => PENALTY,
+            give => unit / give + own,
         };
+        let load = load - if spring < PENALTY { preload } else { 0.0 };
         let block = Block::new(if 0.0 < right.steps { 1.0 / right.steps } else { 0.0 }, w, (b - at_right) / 6.0);
         rows.push(Row { block, spring, right: [-(load + hangs), bent] });
         left = right;
@@ -101,58 +105,6 @@ pub(super) fn solve(
     Ok([rows.iter().zip(nodes).map(moment).collect(), sunk])
 }
 
-/// Joints that are this many times as soft as an interval turn by an unknown of their own. As a part of `c(M)`, next to each other, they
-/// would take as many digits from the elimination: it loses none as long as whatever is on one side of a place holds it.
-const SOFT: f64 = 1e3;
-
-/// Turns a beam without its soft joints in these, each with its stiffness, by `κ M = q` to the right-hand side of its second equation:
-///
-/// ```text
-/// M + G q = q/κ      M of the loads, G of a unit turn in each joint
-/// ```
-///
-/// On contacts that let parts between hinges move, hinges are stiff by a very small amount. What moves then leaves the beam so far below
-/// the ground that a search finds contact there.
-fn turn(rows: &mut [Row], soft: &[(usize, f64)]) -> Result<(), NotPositiveDefinite> {
-    /// The second time for what rounding left.
-    const TIMES: usize = 2;
-    if soft.is_empty() {
-        return Ok(());
-    }
-    let steps = |rows: &[Row]| rows.iter().map(|row| row.block.step).collect::<Vec<_>>();
-    let mut sum = steps(rows);
-    let mut turned = Vec::with_capacity(soft.len());
-    for (i, _) in soft {
-        rows.iter_mut().for_each(|row| row.right = [0.0; 2]);
-        rows[*i].right = [0.0, 1.0];
-        blocks::solve(rows, |row| row.right);
-        turned.push(steps(rows));
-    }
-    let entry = |k: usize, j: usize| {
-        let [response, other] = [turned[j][soft[k].0][1], turned[k][soft[j].0][1]];
-        -0.5 * (response + other) + if k == j { soft[k].1 } else { 0.0 }
-    };
-    let matrix = DMatrix::from_fn(soft.len(), soft.len(), entry);
-    let least = matrix.diagonal().amax() / LOOSE;
-    let stiffened = &matrix + DMatrix::identity(soft.len(), soft.len()) * least;
-    let sound = |factor: &Cholesky<f64, Dyn>| {
-        least < factor.l_dirty().diagonal().iter().fold(f64::INFINITY, |m, d| m.min(d * d))
-    };
-    let factor = matrix.cholesky().filter(sound).or_else(|| stiffened.cholesky());
-    let factor = factor.ok_or(NotPositiveDefinite { index: soft[0].0, pivot: 0.0 })?;
-    let mut turns = DVector::zeros(soft.len());
-    for _ in 0..TIMES {
-        let missing = DVector::from_fn(soft.len(), |k, _| sum[soft[k].0][1] - soft[k].1 * turns[k]);
-        let more = factor.solve(&missing);
-        for (turned, more) in turned.iter().zip(more.iter()) {
-            sum.iter_mut().zip(turned).for_each(|(sum, turned)| (0..2).for_each(|k| sum[k] += more * turned[k]));
-        }
-        turns += more;
-    }
-    rows.iter_mut().zip(sum).for_each(|(row, step)| row.block.step = step);
-    Ok(())
-}
-
 /// The next node of a list that holds the beam.
 fn next_held(list: &ContactSet, i: usize) -> usize {
     let mut behind = list.nodes()[i + 1..].iter().copied().filter(|node| !list.is_free(*node));
@@ -170,7 +122,7 @@ fn above_chords(discrete: &Discrete, list: &ContactSet, sunk: &mut [f64]) {
             continue;
         }
         let next = next_held(list, i);
-        let [from, to] = [held, next].map(|node| discrete.level(node));
+        let [from, to] = [held, next].map(|node| list.level(discrete, node));
         sunk[i] += from + (to - from) * (as_float(node - held) / as_float(next - held));
     }
 }

@@ -128,6 +128,7 @@ fn name(quantity: Quantity, scene: &Scene) -> (&'static str, Option<String>) {
         Quantity::GroundStepAt(_) => ("place where the stiffness of the ground changes", length),
         Quantity::StepAt(_) => ("place where the bending stiffness changes", length),
         Quantity::JointAt(_) => ("place of the joint", length),
+        Quantity::Tension => ("tension", force),
         Quantity::JointStiffness(_) => ("stiffness of the joint", moment),
         Quantity::Uniform => ("uniform load", pressure),
         Quantity::LinearFrom(_) | Quantity::LinearTo(_) => ("end of the distributed load", length),

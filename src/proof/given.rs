@@ -85,6 +85,7 @@ impl Given {
         let (beam, load, l) = (scene.beam(), scene.load(), scene.beam().length());
         scene.is_uniform("--proof")?;
         scene.is_evenly_grounded("--proof")?;
+        scene.has_no_tension("--proof")?;
         scene.is_firm("--proof")?;
         if scene.ground_stiffness().is_some()
             && let Some(acts) = load.concentrated().find(|acts| acts.couple != 0.0)

@@ -61,6 +61,11 @@ impl Block {
         Self { turning: stiffness, ..self }
     }
 
+    /// Whether its solution is one.
+    pub(crate) fn is_finite(&self) -> bool {
+        (self.step[0] + self.step[1]).is_finite()
+    }
+
     /// The pivot, if it is no positive number, or if the solution is none.
     pub(crate) fn failed(&self) -> Option<f64> {
         let sound = 0.0 < self.inverse && (self.inverse + self.step[0] + self.step[1]).is_finite();
@@ -191,6 +196,52 @@ pub(crate) fn factor_towards<R: AsMut<Block>>(rows: &mut [R], meeting: usize, ra
         from_right = right[i].as_mut().eliminate(from_right, theta, between);
     }
     let Some(row) = right.first_mut() else { return };
+    let theta = ratio(row);
+    let (Carried { a, e, g }, right) = (from_left, from_right);
+    row.as_mut().pivot(Carried { a: a + right.a, e, g: g + right.g }, theta, right.e);
+}
+
+/// The same of a beam under an axial force, where `σ = −n` is the stiffness of a string in each link, and `left`, `c² − n ω`, is known
+/// without cancellation. With `a = n + b` no digit is lost under tension:
+///
+/// ```text
+/// b' = Θ' + (b (c² + n g) + n e²)/d,   g' = w' + (c² g + ω (c h + c e + c² − n ω) − b ω²)/d
+/// e' = (b c (g + ω) + e (c e + c² − n ω))/d
+/// ```
+///
+/// From a free end on only the string holds what has been eliminated: a small force would lose its digits.
+pub(crate) fn factor_under_tension<R: AsMut<Block>>(
+    rows: &mut [R],
+    meeting: usize,
+    ratio: impl Fn(&R) -> f64,
+    left: impl Fn(&R) -> f64,
+) {
+    // `a` without `n`.
+    let eliminate = |row: &mut Block, carried: Carried, theta: f64, between: Between, left: f64| {
+        let [c, off, sigma] = between.entries;
+        let (b, e, n) = (carried.a + theta, carried.e, -sigma);
+        row.pivot(Carried { a: b + n, ..carried }, 0.0, c);
+        let bent = c * e + left;
+        Carried {
+            a: (b * (c * c + n * row.g) + n * e * e) * row.inverse,
+            e: (b * c * (row.g + off) + e * bent) * row.inverse,
+            g: (c * c * row.g + off * (c * row.h + bent) - b * off * off) * row.inverse,
+        }
+    };
+    let (before, behind) = rows.split_at_mut(meeting);
+    let mut from_left = Carried::default();
+    for row in before {
+        let (theta, left) = (ratio(row), left(row));
+        let row = row.as_mut();
+        from_left = eliminate(row, from_left, theta, row.beside(), left);
+    }
+    let mut from_right = Carried::default();
+    for i in (1..behind.len()).rev() {
+        let (theta, left) = (ratio(&behind[i]), left(&behind[i - 1]));
+        let between = behind[i - 1].as_mut().beside();
+        from_right = eliminate(behind[i].as_mut(), from_right, theta, between, left);
+    }
+    let Some(row) = behind.first_mut() else { return };
     let theta = ratio(row);
     let (Carried { a, e, g }, right) = (from_left, from_right);
     row.as_mut().pivot(Carried { a: a + right.a, e, g: g + right.g }, theta, right.e);

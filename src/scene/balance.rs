@@ -8,7 +8,9 @@
 //! | none | `W > 0` and `a ≤ x_W ≤ b`: the moments `∫q (x − a)` and `∫q (b − x)` are not negative |
 //! | one simple, at `x_s` | `∫q (x − x_s) > 0` and something pushes to the right of it, `< 0` and to the left, or `= 0` |
 //!
-//! with the resultant `W = ∫q` of the loads and its place `x_W = ∫q x / W` (Fichera 1964: a semi-coercive variational
+//! Under tension `∫ N v'²/2` holds the beam against turning: any support holds it, and without one `W > 0` is enough.
+//!
+//! Here is the resultant `W = ∫q` of the loads and its place `x_W = ∫q x / W` (Fichera 1964: a semi-coercive variational
 //! inequality). Each of these sums is an interval: loads and places are decimals, known to half a unit in their last place. The
 //! sums themselves are taken in twice the precision. Where zero lies in the interval, the loads are balanced within rounding,
 //! and to which side the beam would turn is left open.
@@ -133,6 +135,9 @@ impl Balance {
     ///
     /// [`Unheld`] if nothing balances the loads.
     pub(super) fn of(scene: &Scene) -> Result<Self, Unheld> {
+        if 0.0 < scene.beam().tension() {
+            return Self::in_tension(scene);
+        }
         // Without ground, not even with supports that only push as supports that hold.
         let beam = scene.beam();
         let hinged = beam.joints().iter().any(|joint| joint.stiffness.is_none());
@@ -140,6 +145,20 @@ impl Balance {
         match scene.foundation() {
             None if hinged && moves() => Self::of_supports(scene).and(Err(Unheld::Mechanism)),
             _ => Self::of_supports(scene),
+        }
+    }
+
+    /// Under tension, which holds the beam against turning, wherever its loads have their resultant, and holds all parts between hinges.
+    fn in_tension(scene: &Scene) -> Result<Self, Unheld> {
+        if !scene.beam().supports().is_empty() {
+            return Ok(Self::Held);
+        }
+        let force = Sum::of_forces(scene);
+        match force.sign() {
+            _ if ends(scene).is_none() => Err(Unheld::NothingCarries),
+            Ordering::Greater => Ok(Self::Stands(resultant(scene))),
+            Ordering::Equal => Err(Unheld::NothingPresses),
+            Ordering::Less => Err(Unheld::PulledUp { force: -force.value() }),
         }
     }
 

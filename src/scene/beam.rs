@@ -16,6 +16,7 @@ pub struct Beam {
     /// From each place on another one; none if there is one from end to end.
     steps: Vec<[f64; 2]>,
     joints: Vec<Joint>,
+    tension: f64,
     supports: Vec<Support>,
     /// Those that only push.
     bearings: Vec<Support>,
@@ -38,8 +39,8 @@ impl Beam {
         let bending_stiffness = positive(Quantity::BendingStiffness, bending_stiffness)?;
         let supports = vec![Support::simple(0.0), Support::simple(length)];
         let (steps, joints, bearings, springs) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        let given = vec![0, 1];
-        Ok(Self { length, bending_stiffness, steps, joints, supports, bearings, springs, given, shape: None })
+        let (tension, given) = (0.0, vec![0, 1]);
+        Ok(Self { length, bending_stiffness, steps, joints, tension, supports, bearings, springs, given, shape: None })
     }
 
     /// The same beam on other supports, in any order; none at all is a beam that merely lies on the ground.
@@ -119,6 +120,17 @@ impl Beam {
         &self.joints
     }
 
+    /// `N`, the axial force, negative for compression \[force\].
+    #[must_use]
+    pub fn tension(&self) -> f64 {
+        self.tension
+    }
+
+    /// The same beam under this axial force.
+    pub(super) fn tensioned(self, tension: f64) -> Self {
+        Self { tension, ..self }
+    }
+
     /// The same beam with this least bending stiffness and these steps.
     pub(super) fn stiff(self, bending_stiffness: f64, steps: Vec<[f64; 2]>) -> Self {
         Self { bending_stiffness, steps, ..self }
@@ -192,12 +204,13 @@ impl Beam {
         self.shape.clone()
     }
 
-    /// True for the paper's beam: straight, of one bending stiffness, on two simple supports at its ends, both at level 0.
+    /// True for the paper's beam: straight, of one bending stiffness, without axial force, on two simple supports at its ends, both at level 0.
     #[must_use]
     pub fn is_simple(&self) -> bool {
         self.shape.is_none()
             && self.changes().next().is_none()
             && self.joints.is_empty()
+            && self.tension == 0.0
             && self.bearings.is_empty()
             && self.springs.is_empty()
             && self.supports == [Support::simple(0.0), Support::simple(self.length)]
@@ -223,7 +236,8 @@ impl Beam {
         let beam = Self::new(self.length / length, self.bending_stiffness / stiffness)?
             .with_supports(self.supports_as_given().iter().map(support).collect())?
             .stiff(self.bending_stiffness / stiffness, steps)
-            .joined(self.joints.iter().map(joint).collect());
+            .joined(self.joints.iter().map(joint).collect())
+            .tensioned(self.tension * length / stiffness * length);
         match &self.shape {
             Some(shape) => beam.with_shape(shape.scaled(length, depth)),
             None => Ok(beam),

@@ -173,6 +173,9 @@ pub enum SceneError {
         /// Where it acts.
         value: f64,
     },
+    /// Compression that the beam does not bear.
+    #[error(transparent)]
+    Unstable(#[from] super::Unstable),
     /// Something that does not know a part of the scene.
     #[error("{what} cannot compute {feature} yet")]
     NotKnown {
@@ -345,6 +348,7 @@ impl SceneError {
     /// The quantity that the error is about, if it is about a single one: a scene file uses it to find the line.
     #[must_use]
     pub fn quantity(&self) -> Option<Quantity> {
+        let whole = |of| Some(Quantity::Profile(of, ProfileKey::Whole));
         match *self {
             Self::NotPositive { quantity, .. }
             | Self::NotFinite { quantity, .. }
@@ -363,18 +367,15 @@ impl SceneError {
             | Self::CoupleAtJoint { quantity, .. }
             | Self::PushesBuiltIn { quantity, .. }
             | Self::GivesBuiltIn { quantity, .. }
+            | Self::NoSteps { of: quantity }
+            | Self::BetweenNodes { quantity, .. }
             | Self::Overflow { quantity, .. } => Some(quantity),
-            Self::NoCoefficients { of } | Self::TooFewPoints { of, .. } => {
-                Some(Quantity::Profile(of, ProfileKey::Whole))
-            }
-            Self::AboveSupport { .. }
-            | Self::BearingInGround { .. }
-            | Self::RisesAtBuiltIn { .. }
-            | Self::ValleyAtSupport { .. } => Some(Quantity::Profile(Profile::Foundation, ProfileKey::Whole)),
-            Self::CornerAtBuiltIn { .. } => Some(Quantity::Profile(Profile::Shape, ProfileKey::Whole)),
+            Self::NoCoefficients { of } | Self::TooFewPoints { of, .. } => whole(of),
+            Self::AboveSupport { .. } | Self::BearingInGround { .. } => whole(Profile::Foundation),
+            Self::RisesAtBuiltIn { .. } | Self::ValleyAtSupport { .. } => whole(Profile::Foundation),
+            Self::CornerAtBuiltIn { .. } => whole(Profile::Shape),
+            Self::Unstable(_) => Some(Quantity::Tension),
             Self::NeedsRigidGround { .. } | Self::NoGroundAnywhere => Some(Quantity::GroundStiffness),
-            Self::NoSteps { of } => Some(of),
-            Self::BetweenNodes { quantity, .. } => Some(quantity),
             Self::Unheld(_) => Some(Quantity::Supports),
             Self::TooFewIntervals { .. } | Self::NoMemory { .. } | Self::NotKnown { .. } => None,
         }

@@ -64,6 +64,15 @@ impl Scene {
         hinge.map_or(Ok(()), |_| Err(SceneError::NotKnown { what, feature: "hinges" }))
     }
 
+    /// Whether no axial force acts on the beam.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::NotKnown`] if one does, naming what asked for it.
+    pub fn has_no_tension(&self, what: &'static str) -> Result<(), SceneError> {
+        if self.beam.tension() == 0.0 { Ok(()) } else { Err(SceneError::NotKnown { what, feature: "an axial force" }) }
+    }
+
     /// Whether no support of the beam gives.
     ///
     /// # Errors
@@ -75,6 +84,22 @@ impl Scene {
             return Err(SceneError::NotKnown { what, feature: "supports that give" });
         }
         Ok(())
+    }
+
+    /// Whether no support of the beam gives against turning, and none gives beside ground that does.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::NotKnown`] if one does, naming what asked for it.
+    pub(crate) fn gives_as_known(&self, what: &'static str) -> Result<(), SceneError> {
+        if self.ground_stiffness().is_some() {
+            return self.is_firm(what);
+        }
+        let mut all = self.beam.supports().iter().chain(self.beam.springs());
+        match all.any(|support| support.turning_stiffness.is_some()) {
+            true => Err(SceneError::NotKnown { what, feature: "supports that give against turning" }),
+            false => Ok(()),
+        }
     }
 
     /// Whether contact forces at nodes, without the lengths over which they act, determine the position of the beam: not if supports do

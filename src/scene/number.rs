@@ -35,7 +35,7 @@ fn in_backticks(paths: &[String]) -> String {
 
 impl Scene {
     /// The number that a path stands for. The place and the depth of a point of a polyline may be written `[0]` and `[1]`, as in
-    /// the file, or `.x` and `.depth`. Supports that are left out in the file are there, at both ends, and so is a load of zero.
+    /// the file, or `.x` and `.depth`. Supports that are left out in the file are there, at both ends, and so are a load and an axial force of zero.
     ///
     /// # Errors
     ///
@@ -85,15 +85,16 @@ impl Scene {
                 *number = value;
             }
         }
-        let Numbers { stiffness, steps, joints, supports, shape, uniform, linear, point, couple, foundation, springs } =
-            numbers;
-        let beam = Beam::new(self.beam.length(), stiffness)?.with_supports(supports)?.with_joints(joints)?;
-        let beam = if steps.is_empty() { beam } else { beam.with_steps(steps)? };
+        let Numbers { tension, supports, shape, foundation, springs, .. } = numbers;
+        let beam = Beam::new(self.beam.length(), numbers.stiffness)?.with_supports(supports)?;
+        let beam = beam.with_joints(numbers.joints)?.with_tension(tension)?;
+        let beam = if numbers.steps.is_empty() { beam } else { beam.with_steps(numbers.steps)? };
         let beam = match shape {
             Some(shape) => beam.with_shape(shape)?,
             None => beam,
         };
-        let load = Load::new(&beam, uniform, linear, point)?.with_couples(&beam, couple)?;
+        let load =
+            Load::new(&beam, numbers.uniform, numbers.linear, numbers.point)?.with_couples(&beam, numbers.couple)?;
         let springs = match springs {
             Some(GroundStiffness { greatest, steps }) if steps.is_empty() => Some(GroundStiffness::one(greatest)?),
             Some(GroundStiffness { steps, .. }) => Some(GroundStiffness::in_steps(steps, beam.length())?),
@@ -128,6 +129,7 @@ impl Scene {
         for (i, joint) in self.beam.joints().iter().enumerate() {
             groups.extend(joint.stiffness.map(|_| Group::one(Quantity::JointStiffness(i))));
         }
+        groups.push(Group::one(Quantity::Tension));
         let supports = self.beam.supports_as_given().len();
         groups.extend([Quantity::SupportAt, Quantity::SupportLevel].map(|of| Group::each(of, supports)));
         // In the order of the file.
@@ -256,6 +258,7 @@ struct Numbers {
     stiffness: f64,
     steps: Vec<[f64; 2]>,
     joints: Vec<Joint>,
+    tension: f64,
     /// In the order in which they were given, which is what indices count.
     supports: Vec<Support>,
     shape: Option<Foundation>,
@@ -274,6 +277,7 @@ impl Numbers {
             stiffness: beam.bending_stiffness(),
             steps: beam.steps().to_vec(),
             joints: beam.joints().to_vec(),
+            tension: beam.tension(),
             supports: beam.supports_as_given(),
             shape: beam.shape().cloned(),
             uniform: load.uniform(),
@@ -293,6 +297,7 @@ impl Numbers {
             Quantity::StepStiffness(i) => self.steps.get_mut(i).map(|step| &mut step[1]),
             Quantity::JointAt(i) => self.joints.get_mut(i).map(|joint| &mut joint.at),
             Quantity::JointStiffness(i) => self.joints.get_mut(i)?.stiffness.as_mut(),
+            Quantity::Tension => Some(&mut self.tension),
             Quantity::GroundStiffness => {
                 self.springs.as_mut().filter(|k| k.steps.is_empty()).map(|springs| &mut springs.greatest)
             }
@@ -349,7 +354,7 @@ mod tests {
     fn every_number_that_is_listed_can_be_set() {
         let scene = scene();
         let all: Vec<Quantity> = scene.groups().iter().flat_map(|group| group.all()).collect();
-        assert_eq!(all.len(), 1 + 2 + 2 + 1 + 1 + 2 + 6, "{all:?}");
+        assert_eq!(all.len(), 1 + 1 + 2 + 2 + 1 + 1 + 2 + 6, "{all:?}");
         for quantity in all {
             let value = scene.number(quantity).expect("it is there");
             assert_eq!(scene.quantity(&quantity.to_string()), Ok(quantity));

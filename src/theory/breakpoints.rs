@@ -4,6 +4,7 @@ use super::gauss::Gauss;
 use super::piecewise::{AtSpring, AtSupport, Breakpoint, Cell, PiecewiseScene};
 use super::pull::pulling_stretches;
 use super::shape::Shape;
+use crate::scene::axial::LONGEST;
 use crate::scene::pieces::without_collinear_points;
 use crate::scene::{Bearing, Concentrated, Foundation, Held, Load, Scene, Spring, polynomial};
 
@@ -48,19 +49,31 @@ impl PiecewiseScene {
         let springs: Vec<AtSpring> =
             scene.springs().enumerate().map(|(i, spring)| at_spring(&places, stiffness, &spring, acts(i))).collect();
         let springy = |i: usize| springs.iter().any(|spring| spring.acts && spring.breakpoint == i);
+        let tension = scene.beam().tension() / stiffness;
         let changes = |i: usize| cells[i - 1].stiffness.total_cmp(&cells[i].stiffness).is_ne();
-        let divisions: Vec<usize> =
-            (1..cells.len()).filter(|&i| breakpoints[i].joint != 0.0 || changes(i) || springy(i)).collect();
+        let divides = |i: &usize| breakpoints[*i].joint != 0.0 || changes(*i) || springy(*i) || tension != 0.0;
+        let divisions: Vec<usize> = (1..cells.len()).filter(divides).collect();
         let at: Vec<usize> = bearings.iter().map(|bearing| places.partition_point(|&x| x < bearing.at)).collect();
         at.iter().zip(&bearings).for_each(|(&i, bearing)| breakpoints[i].depth = bearing.gap);
         let degree = shapes.iter().map(Shape::degree).try_fold(0, |most, d| d.map(|d| d.max(most)));
-        let waves = if degree.is_some() { 0 } else { COSINE_DEGREE };
+        let is_smooth = degree.is_none() || tension != 0.0;
+        let waves = if is_smooth { COSINE_DEGREE } else { 0 };
         let profile = shapes.iter().map(Shape::polynomial_degree).fold(waves, usize::max);
-        let terms = (profile + 1).max(if degree.is_some() { BEAM_TERMS } else { COSINE_TERMS });
+        let terms = match degree {
+            None => COSINE_TERMS,
+            Some(_) if tension != 0.0 => super::tension::TERMS,
+            Some(_) => BEAM_TERMS,
+        };
+        let terms = (profile + 1).max(terms);
         let own_size = own.map_or(0.0, |own| own.magnitude(length));
         let mut given = Self {
             length,
-            run_ends: run_ends(&cells, &breakpoints, &divisions, degree.is_some_and(|degree| degree < 2)),
+            run_ends: run_ends(
+                &cells,
+                &breakpoints,
+                &divisions,
+                tension == 0.0 && degree.is_some_and(|degree| degree < 2),
+            ),
             divisions,
             roughest: breakpoints
                 .iter()
@@ -70,8 +83,8 @@ impl PiecewiseScene {
             shapes,
             ends,
             terms,
-            load_rule: Gauss::exact_to(if degree.is_some() { profile.saturating_sub(4).max(1) + 3 } else { profile }),
-            energy_rule: Gauss::exact_to(if degree.is_some() { (2 * profile).max(6) } else { profile }),
+            load_rule: Gauss::exact_to(if !is_smooth { profile.saturating_sub(4).max(1) + 3 } else { profile }),
+            energy_rule: Gauss::exact_to(if !is_smooth { (2 * profile).max(6) } else { profile }),
             resultant: load.resultant(length) / stiffness,
             total_load: 0.0,
             magnitude: within_reach(foundation, length) + own_size,
@@ -88,6 +101,7 @@ impl PiecewiseScene {
                 .collect(),
             springs,
             pulling: Vec::new(),
+            tension,
         };
         given.pulling = pulling_stretches(&given);
         given.total_load = load_between_supports(&given);
@@ -148,6 +162,15 @@ fn places(profiles: &[Option<&Foundation>], load: &Load, scene: &Scene, ends: &[
     places.extend(load.places(beam.length()));
     places.extend(beam.changes().chain(beam.joints().iter().map(|joint| joint.at)));
     places.extend([0.0, beam.length()]);
+    let cut = |most: f64, places: &mut Vec<f64>| {
+        places.sort_by(f64::total_cmp);
+        places.dedup();
+        let cuts: Vec<f64> = places.windows(2).flat_map(|w| cuts(w[0], w[1], most)).collect();
+        places.extend(cuts);
+    };
+    if beam.tension() != 0.0 {
+        cut(LONGEST / (beam.tension().abs() / beam.bending_stiffness()).sqrt(), &mut places);
+    }
     for profile in profiles.iter().flatten() {
         if let Foundation::Polynomial { coefficients } = profile
             && let Some(degree) = polynomial::long_degree(coefficients)
@@ -156,10 +179,7 @@ fn places(profiles: &[Option<&Foundation>], load: &Load, scene: &Scene, ends: &[
         }
         let Foundation::Cosine { wavelength, .. } = profile else { continue };
         let most = CELL_ANGLE * wavelength / (2.0 * std::f64::consts::PI);
-        places.sort_by(f64::total_cmp);
-        places.dedup();
-        let cuts: Vec<f64> = places.windows(2).flat_map(|w| cuts(w[0], w[1], most)).collect();
-        places.extend(cuts);
+        cut(most, &mut places);
     }
     places.sort_by(f64::total_cmp);
     places.dedup();

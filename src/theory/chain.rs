@@ -14,7 +14,7 @@
 //! (`Δ/3` and `Δ/6`, `ρ` the end rotations under its load), which is exact however long it is.
 //!
 //! A spring presses with `k (v − d) = k (s₀ − s)`, where `s₀` is the clearance without force.
-//!
+//! Under an axial force equilibrium is `B m − N B s − p = −f − N B u`.
 //! Where the beam is stiffer a link bends less, and a joint bends besides: its flexibility is added to `W`.
 //!
 //! At a support the clearance is given instead of the force, and at an end of the beam that is not built in the moment is zero. Both
@@ -24,7 +24,7 @@
 //! beside clearances keep the digits that a stiffness matrix of order `1/Δ³` would lose, and clearances have the digits of
 //! small numbers, since only differences of neighbouring depths enter. What comes out is a guess and is treated as one.
 
-use crate::qp::blocks::{Block, PENALTY, factor, solve};
+use crate::qp::blocks::{Block, PENALTY, factor, factor_under_tension, solve};
 
 /// The flexibility of a hinge in the chain, of a beam of length and stiffness one. It is not infinite: on a side of it where statics alone
 /// says what is there, elimination would divide zero by zero. Eight of the digits of a guess are enough.
@@ -37,6 +37,8 @@ pub(super) struct Chain<'a> {
     pub(super) samples: &'a [ChainSample],
     /// True for an end that is built in.
     pub(super) built_in: [bool; 2],
+    /// `N`; the loads of its samples have `N B u` among them.
+    pub(super) tension: f64,
 }
 
 /// What a chain is made of at a sample, and in the link to its right.
@@ -158,10 +160,20 @@ impl Row {
     }
 }
 
+/// Factors the matrix of a chain, with an axial force or without.
+fn factored(rows: &mut [Row], tension: f64, ratio: impl Fn(&Row) -> f64) {
+    if tension == 0.0 {
+        factor(rows, ratio);
+    } else {
+        let last = rows.len() - 1;
+        factor_under_tension(rows, last, ratio, |Row { block: Block { c, off, .. }, .. }| c * (c - tension * off));
+    }
+}
+
 /// Mehrotra's predictor and corrector: the step of each row, and how much of it leads to the border. What nothing can touch lies on
 /// soft springs.
-fn direction(rows: &mut [Row], mu: f64, count: f64, soft: f64) -> f64 {
-    factor(rows, |row| row.ratio(if row.open { soft } else { row.p / row.s }));
+fn direction(rows: &mut [Row], mu: f64, count: f64, [soft, tension]: [f64; 2]) -> f64 {
+    factored(rows, tension, |row| row.ratio(if row.open { soft } else { row.p / row.s }));
     solve(rows, |row| [row.rest[1] - row.p, row.rest[0]]);
     let mut longest = 1.0_f64;
     for row in rows.iter_mut().filter(|row| row.may_touch()) {
@@ -198,11 +210,11 @@ impl Chain<'_> {
         for _ in 0..STEPS {
             // At a support `p` and `dp` stay zero.
             let mu = rows.iter().map(|r| r.s * r.p).sum::<f64>() / count;
-            let off = residuals(&mut rows);
+            let off = residuals(&mut rows, self.tension);
             if mu <= enough && off <= IN_BALANCE * unit_force {
                 break;
             }
-            let step = SHORT * direction(&mut rows, mu, count, SOFT * self.bed());
+            let step = SHORT * direction(&mut rows, mu, count, [SOFT * self.bed(), self.tension]);
             let moved: f64 = rows.iter().map(|r| r.block.step[0] + r.block.step[1] + r.dp).sum();
             if !(step * moved).is_finite() {
                 break;
@@ -217,8 +229,8 @@ impl Chain<'_> {
         // The beam that touches nothing; one that then could move lies on a bed of springs, and so does one with a free end: of links
         // that nothing holds, elimination would lose how they bend.
         let springs = if self.is_held_at_both_ends() { 0.0 } else { self.bed() };
-        factor(rows, |row| row.ratio(springs));
-        residuals(rows);
+        factored(rows, self.tension, |row| row.ratio(springs));
+        residuals(rows, self.tension);
         solve(rows, |row| [row.rest[1], row.rest[0]]);
         // Clearances are measured by how deep that beam lies in the foundation, however deep the foundation is elsewhere.
         let touching = || rows.iter().filter(|row| row.may_touch());
@@ -279,14 +291,15 @@ impl Chain<'_> {
             }
             let right = link(i);
             let off = if right.2 { right.1 / 6.0 } else { 0.0 };
-            Row { block: Block::new(1.0 / right.0, left + share(right), off), ..row }
+            let block = Block::new(1.0 / right.0, left + share(right), off);
+            Row { block: block.on_springs(-self.tension / right.0, 0.0), ..row }
         };
         (0..n).map(row).collect()
     }
 }
 
 /// Residuals of both equations; returns the largest of equilibrium.
-fn residuals(rows: &mut [Row]) -> f64 {
+fn residuals(rows: &mut [Row], tension: f64) -> f64 {
     // How clearance and moment rise over the link to the left, and how the moment at its left end bends the beam here.
     let (mut left_s, mut left_m, mut bent) = (0.0, 0.0, 0.0);
     let mut worst = 0.0_f64;
@@ -297,7 +310,8 @@ fn residuals(rows: &mut [Row]) -> f64 {
         let (right_s, right_m) = (c * (next_s - row.s), c * (next_m - row.m));
         let bends = row.bend - (right_s - left_s) + w * row.m + off * next_m + bent;
         let sprung = row.spring[0] * (row.spring[1] - row.s);
-        row.rest = [bends, row.p - row.load + sprung - (right_m - left_m)];
+        let pulled = if tension == 0.0 { 0.0 } else { tension * (right_s - left_s) };
+        row.rest = [bends, row.p - row.load + sprung - (right_m - left_m) + pulled];
         if !row.held {
             worst = worst.max(row.rest[1].abs());
         }
@@ -344,7 +358,7 @@ mod tests {
             ..ChainSample::default()
         };
         let samples: Vec<ChainSample> = (0..=last).map(sample).collect();
-        let guess = Chain { samples: &samples, built_in: [false; 2] }.solve();
+        let guess = Chain { samples: &samples, built_in: [false; 2], tension: 0.0 }.solve();
         Guess { touches: guess.touches[1..last].to_vec(), force: guess.force[1..last].to_vec() }
     }
 

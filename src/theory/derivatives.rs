@@ -161,8 +161,8 @@ impl Exact {
     }
 
     pub(super) fn sensitivity(&self) -> Option<Sensitivity<'_>> {
-        // Spans over which the beam changes answer in another way.
-        let is_known = self.given.divisions.is_empty() && self.given.is_firm();
+        // Spans over which the beam changes, or that an axial force pulls at, answer in another way.
+        let is_known = self.given.divisions.is_empty() && self.given.tension == 0.0 && self.given.is_firm();
         is_known.then(|| Sensitivity::of(&self.given, &self.list, &self.spans, &self.forces))?
     }
 

@@ -22,11 +22,22 @@ mod chain;
 use super::overhang::Overhang;
 use super::piecewise::{Breakpoint, PiecewiseScene};
 use super::span::{Drive, End, EndCondition, FixedEnd, Span, difference, fixed_end};
+use super::tension::Tense;
 use super::way::Way;
 use chain::{Chain, Part, Place};
 
 /// How the moments at both ends of a span answer to the slopes there.
 pub(super) type Answer = [[f64; 2]; 2];
+
+/// The parts of a span between two ends, with the joint at its right one: one, where the beam does not change and no axial force acts.
+pub(super) fn parts(given: &PiecewiseScene, [a, b]: [End; 2], joint: f64) -> Parts {
+    let divisions = given.divisions_between(a.x, b.x);
+    if divisions.is_empty() && joint == 0.0 && given.tension == 0.0 {
+        return Parts::one(Span::between(given, a, b));
+    }
+    // Nothing is known of a mechanism.
+    between(given, [a, b], divisions, joint).map_or_else(|| Parts::one(Span::between(given, a, b).unknown()), Parts::of)
+}
 
 /// The parts of a span between two ends that is divided at some breakpoints, from left to right; [`None`] if it is a mechanism.
 pub(super) fn between(
@@ -37,7 +48,8 @@ pub(super) fn between(
 ) -> Option<Vec<Span>> {
     let way = Way::of(given, &a, &b);
     let last = Place::node(joint_at_end, profile_bend(given, &b, &way));
-    let (mut spans, _) = chained(given, [a, b], divisions, &way, ([Place::default(), last], [None; 2]))?;
+    let tips = [(&a, 0), (&b, 1)].map(|(end, side)| tip(given, end, &way, side));
+    let (mut spans, _) = chained(given, [a, b], divisions, &way, ([Place::default(), last], tips))?;
     if let Some(first) = spans.first_mut() {
         way.know(0, &mut first.at_a, &mut first.beam_a);
     }
@@ -71,7 +83,8 @@ fn chained(
         let FixedEnd { moment, shear, clamped } = fixed_end(given, &ends[0], &ends[1], of);
         // Of the deflection the load is that of `−v`.
         let fixed = FixedEnd { moment: moment.map(|m| sign * m), shear: shear.map(|s| sign * s), clamped };
-        Part { ends, stiffness, fixed }
+        let tense = Tense::of(given, &ends, of, sign);
+        Part { ends, stiffness, fixed, tense }
     };
     let parts: Vec<Part> = starts.zip(ends).map(part).collect();
     // What is computed is below the straight line through both ends.
@@ -252,6 +265,19 @@ pub(super) fn overhang(given: &PiecewiseScene, held: End, slope: f64, at_left: b
 /// `e g''` at the right end of a span, which its joint turns by; nothing where the span is computed in its deflection.
 fn profile_bend(given: &PiecewiseScene, end: &End, way: &Way) -> f64 {
     if way.in_beam { 0.0 } else { given.bent(end.cell, end.x, 2) }
+}
+
+/// `n` and the vertical force, as the chain counts it, at a free end of the beam under an axial force.
+fn tip(given: &PiecewiseScene, end: &End, way: &Way, side: usize) -> Option<[f64; 2]> {
+    (end.hold == EndCondition::Free).then_some(())?;
+    let [at, sign] = if side == 0 { [0.0, 1.0] } else { [given.length, -1.0] };
+    let Breakpoint { force, couple, .. } = given.breakpoints[given.breakpoint_at(at)?];
+    let acts = [sign * couple, sign * force];
+    if way.in_beam {
+        return Some([-acts[0], -acts[1] - given.tension * way.incline]);
+    }
+    let [_, slope, bent, third] = way.profiles[side];
+    Some([bent - acts[0], third - given.tension * slope - acts[1]])
 }
 
 /// The parts of a span from left to right: mostly one.

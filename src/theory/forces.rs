@@ -5,7 +5,7 @@ use super::piecewise::PiecewiseScene;
 use super::sensitivity::ends;
 use super::span::{EndCondition, Span};
 
-/// Concentrated forces at the nodes, `R = P + v'''(x−) − v'''(x+)`, with nothing beyond the ends of the beam; at a support without
+/// Concentrated forces at the nodes, `R = P + v'''(x−) − v'''(x+) + N [v']`, with nothing beyond the ends of the beam; at a support without
 /// the load `P` that stands on it.
 pub(super) fn forces(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Vec<f64> {
     // The profile has breaks of its depth and slope only: g''' is the same on both sides of a contact, and h''' will do.
@@ -43,7 +43,25 @@ pub(super) fn forces(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)
             };
         }
     }
+    if given.tension != 0.0 {
+        add_turns(given, list, spans, &mut forces);
+    }
     forces
+}
+
+/// The vertical force is `V + N v'`: it jumps by `N` times what the slope jumps by, at the ends of the beam and in joints.
+fn add_turns(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], forces: &mut [f64]) {
+    for (i, (node, force)) in list.nodes.iter().zip(forces).enumerate() {
+        let is_end = node.x <= 0.0 || given.length <= node.x;
+        if !is_end && !node.breakpoint.is_some_and(|at| given.breakpoints[at].joint != 0.0) {
+            continue;
+        }
+        let [before, behind] = ends(spans, i);
+        let along = |lies: bool, cell: usize| if lies { given.derivative(cell, node.x, 1) } else { 0.0 };
+        let left = before.map_or(along(list.in_zone_before(i), given.cell_to(node.x)), |span| span.beam_b[1]);
+        let right = behind.map_or(along(list.in_zone_before(i + 1), given.cell_from(node.x)), |span| span.beam_a[1]);
+        *force += given.tension * (right - left);
+    }
 }
 
 /// The largest shear force in the spans to the left and to the right of a node, and the largest that the moments at the ends of these
@@ -74,11 +92,15 @@ pub(super) fn moments(given: &PiecewiseScene, list: &List, spans: &[(usize, Span
     moments
 }
 
-/// `∫ q − e u'''' dx` over the inside of a zone, with the point loads there, less the springs.
+/// `∫ q − e u'''' + N u'' dx` over the inside of a zone, with the point loads there, less the springs.
 pub(super) fn zone_force(given: &PiecewiseScene, from: f64, to: f64) -> f64 {
     let (first, last) = (given.cell_from(from), given.cell_to(to));
     let loads = given.load_inside(from, to) + given.bent(first, from, 3) - given.bent(last, to, 3);
-    given.springs_in_zone(from, to).fold(loads, |loads, (_, force)| loads - force)
+    let loads = given.springs_in_zone(from, to).fold(loads, |loads, (_, force)| loads - force);
+    if given.tension == 0.0 {
+        return loads;
+    }
+    loads + given.tension * (given.derivative(last, to, 1) - given.derivative(first, from, 1))
 }
 
 /// What is left of the load when reactions and contact forces are taken off.

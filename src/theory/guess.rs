@@ -223,6 +223,7 @@ impl Samples {
         }
         self.turn(given, &mut samples);
         self.on_springs(given, &mut samples);
+        self.pull(given, &mut samples);
         self.solve(given, &mut samples)
     }
 
@@ -259,7 +260,11 @@ impl Samples {
                 let x = self.x[to];
                 samples[to].bend = samples[to].sides[0] - (given.derivative(given.cell_to(x), x, 1) - slope);
             }
-            let chain = Chain { samples: &samples[from..=to], built_in: slopes.map(|slope| slope.is_some()) };
+            let chain = Chain {
+                samples: &samples[from..=to],
+                built_in: slopes.map(|slope| slope.is_some()),
+                tension: given.tension,
+            };
             let Guess { touches, force } = chain.solve();
             // Neither of them touches with the support between them.
             guess.touches.truncate(from);

@@ -88,7 +88,12 @@ impl List {
         if node.can_move() {
             return Some(Unknown::Place);
         }
-        let bends = !self.overhangs(given, i).contains(&true) || node.turning(given).is_some();
+        // Under an axial force the moment of an overhang depends on its slope.
+        let bends = if given.tension == 0.0 {
+            !self.overhangs(given, i).contains(&true) || node.turning(given).is_some()
+        } else {
+            0.0 < node.x && node.x < given.length
+        };
         (bends && node.held_slope(given).is_none()).then_some(Unknown::Slope)
     }
 
@@ -299,6 +304,7 @@ impl Node {
         if let EndCondition::Edge { height, level, .. } = end.hold
             && self.held_slope(given).is_none()
             && self.turning(given).is_none()
+            && (given.tension == 0.0 || self.x <= 0.0 || given.length <= self.x)
         {
             let couple = if at_left { self.couple(given) } else { -self.couple(given) };
             let curvature = Overhang::of(given, self.x, at_left).moment + couple;

@@ -16,7 +16,7 @@
 //! 7. `continuation`, `pattern`, `margin`: from the answer of one scene to that of a scene beside it, and when its pattern changes.
 //! 8. `sensitivity`, `tridiagonal`, `asked`, `derivatives`, `changes`, `leeway`, `spread`: derivatives by the numbers of the scene, and where they are
 //!    one-sided; `missing`: why one is not there.
-//! 9. `springs`: ground that gives, which needs no list.
+//! 9. `springs`: ground that gives, which needs no list; `tension`: a part of the beam under an axial force.
 //!
 //! Time and memory grow like the number of pieces of profile and load, and of contacts.
 //!
@@ -62,6 +62,7 @@ mod span;
 mod spread;
 mod springs;
 mod summary;
+mod tension;
 mod touching;
 mod tridiagonal;
 mod violation;

@@ -3,6 +3,7 @@
 
 use super::piecewise::{Cell, PiecewiseScene};
 use super::span::{End, EndCondition, Span, difference};
+use super::tension::continued;
 
 /// A part of the beam that is one polynomial.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,9 +42,21 @@ impl Piece {
         };
         given.profile(self.cell, self.anchor, out);
         let e = self.stiffness(given);
+        if given.tension != 0.0 {
+            return self.clearance_under_tension(given, out);
+        }
         out[..4].copy_from_slice(&[h, h1, h2 / 2.0 / e, h3 / 6.0 / e]);
         out[4] -= given.load(self.cell, self.anchor) / 24.0 / e;
         out[5] -= given.cells[self.cell].load_slope / 120.0 / e;
+    }
+
+    /// The same where the profile is there already, under an axial force: what it is more than the deflection.
+    fn clearance_under_tension(&self, given: &PiecewiseScene, out: &mut [f64]) {
+        let Some(State { clearance: [h, h1, h2, h3], .. }) = self.state else { return };
+        let (e, mut beam) = (self.stiffness(given), vec![0.0; out.len()]);
+        self.deflection(given, &mut beam);
+        out.iter_mut().zip(&beam).skip(4).for_each(|(profile, beam)| *profile -= beam);
+        out[..4].copy_from_slice(&[h, h1, h2 / 2.0 / e, h3 / 6.0 / e]);
     }
 
     /// `e` on it.
@@ -58,6 +71,10 @@ impl Piece {
         };
         out.fill(0.0);
         out[..6].copy_from_slice(&beam_taylor(given, self.cell, self.anchor, &beam));
+        if given.tension != 0.0 {
+            let load = [given.load(self.cell, self.anchor), given.cells[self.cell].load_slope];
+            continued(out, load, self.stiffness(given), given.tension);
+        }
     }
 
     /// A place `s ≥ 0` away from the anchor.

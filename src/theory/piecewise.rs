@@ -132,6 +132,8 @@ pub(super) struct PiecewiseScene {
     /// Stretches in which a zone of contact would pull at the beam, from left to right; a point load that does so is one
     /// without length.
     pub(super) pulling: Vec<(f64, f64)>,
+    /// `N`, the axial force. Under one a span is divided at all breakpoints, and no cell is longer than [`super::tension`] can do with.
+    pub(super) tension: f64,
 }
 
 impl PiecewiseScene {
@@ -218,19 +220,6 @@ impl PiecewiseScene {
     /// True if the profile of a cell is a straight line.
     pub(super) fn is_straight(&self, cell: usize) -> bool {
         self.shapes[self.cells[cell].shape].degree().is_some_and(|degree| degree < 2)
-    }
-
-    /// `e u'''' − q` in `cell`: what drives the clearance where nothing touches, and minus the pressure where it does.
-    pub(super) fn drive(&self, cell: usize, x: f64) -> f64 {
-        let curved = self.shapes[self.cells[cell].shape].degree().is_none_or(|d| 4 <= d);
-        let profile = if curved { self.bent(cell, x, 4) } else { 0.0 };
-        profile - self.load(cell, x)
-    }
-
-    /// The same at a distance `t` from `lo`, without the waves of a profile, which follow in closed form.
-    pub(super) fn drive_without_waves(&self, cell: usize, lo: f64, t: f64) -> f64 {
-        let Cell { shape, stiffness, .. } = self.cells[cell];
-        stiffness * self.shapes[shape].fourth_without_waves(lo + t) - self.load_beyond(cell, lo, t)
     }
 
     /// The cell in which `x` lies; at a breakpoint the one to its right, at the right end the last one.

@@ -1,4 +1,4 @@
-//! Where a zone of contact is possible, and where not: its pressure `q − u''''` must not be negative. Around a stretch where
+//! Where a zone of contact is possible, and where not: its pressure `q − e u'''' + N u''` must not be negative. Around a stretch where
 //! it would pull, the beam lifts off a foundation that it follows on both sides.
 
 use super::bernstein::{lowest_below, sign_changes};
@@ -22,6 +22,11 @@ pub(super) fn pressure(given: &PiecewiseScene, cell: usize) -> Vec<f64> {
             -c * j * (j - 1.0) * (j - 2.0) * (j - 3.0) * given.cells[cell].stiffness
         })
         .collect();
+    if given.tension != 0.0 {
+        #[expect(clippy::cast_precision_loss, reason = "a degree is a small number")]
+        let bent = |j: usize| given.tension * taylor[j + 2] * ((j + 2) * (j + 1)) as f64;
+        pressure.iter_mut().enumerate().for_each(|(j, p)| *p += bent(j));
+    }
     pressure[0] += c.load;
     pressure[1] += c.load_slope;
     pressure
@@ -44,13 +49,15 @@ pub(super) fn pulling_stretches(given: &PiecewiseScene) -> Vec<(f64, f64)> {
             add(cell.lo, cell.lo);
         }
         let width = cell.hi - cell.lo;
-        let straight = given.shapes[cell.shape].degree().is_some_and(|degree| degree < 4);
+        let straight =
+            given.shapes[cell.shape].degree().is_some_and(|degree| degree < if given.tension == 0.0 { 4 } else { 2 });
         if straight && 0.0 <= cell.load && 0.0 <= cell.load + cell.load_slope * width {
             continue;
         }
         let p = pressure(given, i);
         let fourth = given.bent(i, cell.lo, 4).abs();
-        let size = fourth + cell.load.abs() + (cell.load_slope * width).abs();
+        let pulled = (given.tension * given.derivative(i, cell.lo, 2)).abs();
+        let size = fourth + pulled + cell.load.abs() + (cell.load_slope * width).abs();
         if lowest_below(&p, width, -ROUNDING * size).is_some() {
             let mut ends = vec![0.0];
             ends.extend(sign_changes(&p, width));

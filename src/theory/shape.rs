@@ -224,7 +224,7 @@ fn expansion(parts: &[Expansion], x: f64) -> &Expansion {
 }
 
 /// Coefficients of `Σ c_j (t + shift)^j` in powers of `t`, as many as `out` has room for.
-fn shifted(coefficients: &[f64], shift: f64, out: &mut [f64]) {
+pub(super) fn shifted(coefficients: &[f64], shift: f64, out: &mut [f64]) {
     // Horner's scheme, repeated: pass i leaves coefficient i behind.
     if coefficients.len() <= out.len() {
         let n = coefficients.len();

@@ -10,6 +10,7 @@ use super::piecewise::PiecewiseScene;
 use super::room::{self, MEMORY};
 use super::search::{Candidate, search};
 use super::springs;
+use crate::scene::axial::LONGEST;
 use crate::scene::{Balance, Foundation, Profile, Scene, SceneError};
 
 /// Why there is no exact solution at all; one that fails its check is an [`Exact`] that is not `solved`.
@@ -36,6 +37,14 @@ pub enum TheoryError {
         /// The phase \[rad\].
         phase: f64,
         /// The most that is possible \[rad\].
+        most: f64,
+    },
+    /// The beam is so nearly a cable that its pieces cannot be listed.
+    #[error("`beam.tension` must be at most {most} in magnitude for an exact solution, but is {tension}")]
+    TooManyParts {
+        /// The axial force \[force\].
+        tension: f64,
+        /// The most that is possible \[force\].
         most: f64,
     },
     /// There is no memory for all points of a profile and all places at which the beam is near them.
@@ -76,6 +85,9 @@ pub fn solve(scene: &Scene) -> Result<Exact, TheoryError> {
 ///
 /// Those of [`solve`].
 pub fn solve_near(scene: &Scene, near: &[&Exact]) -> Result<Exact, TheoryError> {
+    if scene.beam().tension() != 0.0 {
+        scene.is_firm("the exact solution under an axial force")?;
+    }
     let scaled = scene.scaled()?;
     let foundation = scaled.scene.foundation();
     let own = scaled.scene.beam().shape().filter(|_| foundation.is_some());
@@ -98,8 +110,15 @@ pub fn solve_near(scene: &Scene, near: &[&Exact]) -> Result<Exact, TheoryError> 
             _ => {}
         }
     }
-    let stiffness = scaled.scene.beam().bending_stiffness();
+    let (stiffness, tension) = (scaled.scene.beam().bending_stiffness(), scaled.scene.beam().tension());
+    let parts = MOST_CELLS * LONGEST / scaled.scene.beam().length();
+    let most = stiffness * parts * parts;
+    if most < tension.abs() {
+        let unit = scene.beam().tension() / tension;
+        return Err(TheoryError::TooManyParts { tension: tension * unit, most: most * unit.abs() });
+    }
     if let Some(ground) = scaled.scene.ground_stiffness() {
+        scene.has_no_tension("the solution on ground that gives")?;
         return Ok(springs::exact(&scaled, PiecewiseScene::new(&scaled.scene), ground, near)?);
     }
     let near: Vec<&Exact> = near.iter().copied().filter(|near| near.solved).collect();

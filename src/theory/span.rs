@@ -96,6 +96,12 @@ impl End {
     pub(super) fn resting(x: f64, cell: usize) -> Self {
         Self { x, low: 0.0, cell, hold: EndCondition::Resting }
     }
+
+    /// A free end of the beam.
+    pub(super) fn free_of(given: &PiecewiseScene, at_left: bool) -> Self {
+        let (x, cell) = if at_left { (0.0, 0) } else { (given.length, given.cells.len() - 1) };
+        Self::free(x, cell)
+    }
 }
 
 /// A span at its two ends.
@@ -152,8 +158,7 @@ impl Span {
     /// v'' = ∫q r,   |v'''| = ∫q at the node        v grows by ∫q r² (3ℓ − r)/6, v' by ∫q r²/2 towards the free end
     /// ```
     pub(super) fn overhang(given: &PiecewiseScene, held: End, slope: f64, at_left: bool) -> Self {
-        let (x, cell) = if at_left { (0.0, 0) } else { (given.length, given.cells.len() - 1) };
-        let free = End::free(x, cell);
+        let free = End::free_of(given, at_left);
         let length = (held.x - free.x).abs();
         let Overhang { force, moment, turn, sag } = Overhang::of(given, held.x, at_left);
         let e = given.cells[free.cell].stiffness;

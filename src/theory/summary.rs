@@ -96,7 +96,7 @@ fn on_the_beam(x: f64, length: f64) -> f64 {
     if (x - nearest).abs() <= PLACE * length { nearest } else { x }
 }
 
-/// `J / EI₀ = ∫ ½ e v''² − q v dx − Σ P v − Σ C v' + Σ ½ w (e v'')²`, every integral exact.
+/// `J / EI₀ = ∫ ½ e v''² + ½ N v'² − q v dx − Σ P v − Σ C v' + Σ ½ w (e v'')²`, every integral exact.
 fn energy(given: &PiecewiseScene, pieces: &[Piece]) -> f64 {
     let mut taylor = vec![0.0; given.terms];
     let mut sum = 0.0;
@@ -105,8 +105,9 @@ fn energy(given: &PiecewiseScene, pieces: &[Piece]) -> f64 {
         piece.outwards(&mut taylor);
         // From the anchor outwards: of a short piece far from zero a place has not the digits that its distance has.
         sum += given.energy_rule.integral(0.0, piece.width(), |s| {
-            let [v, _, v2, _] = derivatives(&taylor, s);
-            0.5 * v2 * v2 * piece.stiffness(given) - given.load(piece.cell, piece.place(s)) * v
+            let [v, v1, v2, _] = derivatives(&taylor, s);
+            let bent = 0.5 * v2 * v2 * piece.stiffness(given) - given.load(piece.cell, piece.place(s)) * v;
+            if given.tension == 0.0 { bent } else { bent + 0.5 * given.tension * v1 * v1 }
         });
     }
     for breakpoint in given.forces() {

@@ -19,7 +19,7 @@ pub(super) enum Prescribed {
 pub(super) struct Way {
     /// In its deflection, and not in its clearance.
     pub(super) in_beam: bool,
-    holds: [EndCondition; 2],
+    pub(super) holds: [EndCondition; 2],
     /// `h` at both ends.
     pub(super) heights: [f64; 2],
     /// `v` at both ends.
@@ -82,6 +82,9 @@ impl Way {
 
     /// Puts what is given at an end, and so is known without rounding, in its place.
     pub(super) fn know(&self, i: usize, at: &mut [f64; 4], beam: &mut [f64; 4]) {
+        if self.holds[i] == EndCondition::Free {
+            return;
+        }
         at[0] = self.heights[i];
         let profile = &self.profiles[i];
         match self.holds[i] {

@@ -12,7 +12,7 @@ use palkki::state::{Contact, ContactState};
 use palkki::text::decade;
 use palkki::theory::Exact;
 use palkki::verdict::{Demand, Verdict};
-use palkki::{Witness, theory};
+use palkki::{Settings, Witness, solve_raw, theory};
 use palkki_evidence::numdiff::numdiff;
 
 use crate::scenes::run;
@@ -140,7 +140,6 @@ fn by_method(row: impl Fn(Method) -> Vec<String>) -> String {
 
 fn page(scene: &Scene) -> String {
     let exact = theory::solve(scene).expect("the scene is in range");
-    let witness = Witness::known(scene, &exact);
     let fits = |intervals: usize| {
         let grid = Grid::uniform(scene, intervals).expect("a grid");
         scene.beam().supports().iter().all(|support| grid.node_at(support.at).is_some())
@@ -149,8 +148,11 @@ fn page(scene: &Scene) -> String {
     let solved = |method, intervals| run(scene, method, Solver::ActiveSet, fitting(intervals));
 
     let (names, first) = exact_column(scene, &exact);
-    let shown = Method::ALL.map(|method| column(scene, method, &solved(method, SHOWN), fitting(SHOWN)));
-    let columns = merged([first].into_iter().chain(shown).collect());
+    // What grids do not know yet.
+    let refused = solve_raw(scene, &Settings::new(Method::Force, Solver::ActiveSet, fitting(SHOWN))).err();
+    let methods = Method::ALL.into_iter().filter(|_| refused.is_none());
+    let shown = methods.map(|method| column(scene, method, &solved(method, SHOWN), fitting(SHOWN)));
+    let columns = merged(std::iter::once(first).chain(shown).collect());
     let mut page = format!("{}\n\n{:<32}", scene.title(), "");
     page.extend(columns.iter().map(|column| format!("  {:>20}", column.head)));
     for (i, name) in names.iter().enumerate() {
@@ -161,7 +163,21 @@ fn page(scene: &Scene) -> String {
     for Column { head, contacts, .. } in &columns {
         let _ = write!(page, "  {head}\n{contacts}");
     }
-    let _ = write!(page, "\n{:<26}", "Certified error, intervals");
+    match refused {
+        Some(error) => page + &format!("\nOn grids: {error}\n"),
+        None => page + &errors(scene, &exact, solved, fitting) + "\n",
+    }
+}
+
+/// The certified error on each grid, and the grid of each error that is demanded.
+fn errors(
+    scene: &Scene,
+    exact: &Exact,
+    solved: impl Fn(Method, usize) -> Solution<()>,
+    fitting: impl Fn(usize) -> usize,
+) -> String {
+    let witness = Witness::known(scene, exact);
+    let mut page = format!("\n{:<26}", "Certified error, intervals");
     page.extend(GRIDS.map(|n| format!("{:>10}", fitting(n))));
     page += &by_method(|method| {
         let error = |n| Verdict::of_raw(&solved(method, n), &witness, &Demand::default()).error;
@@ -169,13 +185,12 @@ fn page(scene: &Scene) -> String {
     });
     let _ = write!(page, "\n\n{:<26}", "Intervals, error demanded");
     page.extend(DEMANDED.map(|error| format!("{error:>10.0e}")));
-    page += &by_method(|method| {
+    page + &by_method(|method| {
         let taken = |error| adapt(scene, &Request::new(method, Solver::ActiveSet, error)).expect("in range");
         let reached =
             DEMANDED.map(taken).into_iter().map(|taken| (taken.end == End::Reached, taken.settings.intervals));
         reached.map(|(reached, intervals)| if reached { intervals.to_string() } else { "–".to_owned() }).collect()
-    });
-    page + "\n"
+    })
 }
 
 /// Beside them stand the authorities: closed forms and bounds for the exact solution, agreement and order for the methods

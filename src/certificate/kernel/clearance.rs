@@ -3,7 +3,7 @@
 //! The span is lifted by `α φ`, which vanishes at its nodes with its slope, where the beam goes on or the slope is given:
 //!
 //! ```text
-//! φ(s) = (s/L)^a (1 − s/L)^b,     a, b = 2 at a node, 1 at one where the beam ends and its slope is free, 0 at a free end
+//! φ(s) = (s/L)^a (1 − s/L)^b,     a, b = 2 at a node, 1 at one where the beam ends and its slope is free, 0 at a free end, under an axial force 2
 //! ```
 //!
 //! so that what it costs is of the size of `α`, and not of its root: where the beam is pressed it stays where it is. `α = 0`
@@ -25,7 +25,8 @@ type Ends<'a> = [Option<&'a ContactNode>; 2];
 
 /// The power of the distance from an end of a span in `φ`.
 fn power(enclosed: &EnclosedScene<'_>, end: Option<&ContactNode>) -> usize {
-    let Some(node) = end else { return 0 };
+    // Under an axial force the moments of an overhang depend on where its free end is.
+    let Some(node) = end else { return if enclosed.tension == 0.0 { 0 } else { 2 } };
     let built_in = enclosed.support(node.x).is_some_and(|s| s.slope.is_some());
     let ends = node.x <= 0.0 || enclosed.length <= node.x;
     if ends && !built_in && matches!(node.slope, Slope::Free(_)) { 1 } else { 2 }
@@ -39,7 +40,8 @@ pub(crate) fn lift(enclosed: &EnclosedScene<'_>, span: &Span, parts: &[Curve], e
         [_, None] => span.to,
         _ => 0.5 * (span.from + span.to),
     };
-    let cells = enclosed.cells(span.from, span.to, vec![middle]);
+    let places = parts.iter().map(|(part, _)| part[0]).chain([middle]).collect();
+    let cells = enclosed.cells(span.from, span.to, places);
     let meeting = cells.partition_point(|cell| cell[0] < middle);
     let powers = ends.map(|end| power(enclosed, end));
     let lift = |side: usize, cells: &[[f64; 2]]| {
@@ -113,7 +115,7 @@ impl Side<'_> {
         };
         let mut known = vec![clearance.at(width)];
         // In a joint the beam has a kink of its own.
-        if !enclosed.joints.iter().any(|joint| joint.0.total_cmp(&far).is_eq()) {
+        if !enclosed.is_joint(far) {
             known.push(clearance.derivative().at(width) + kink);
         }
         Some((most, known))

@@ -20,6 +20,7 @@ use super::giving::{Giving, SaidSpring};
 use super::interval::Interval;
 use super::load::{EnclosedLoad, cells};
 use super::span::Span;
+use super::tension::Hung;
 use crate::scene::{Beam, Scene};
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -80,6 +81,9 @@ pub(crate) struct EnclosedScene<'a> {
     pub(crate) joints: &'a [(f64, f64)],
     /// Supports that give, as loads.
     pub(crate) said: &'a [SaidSpring],
+    /// `N`, and under it what is given of the deflection between contacts, from left to right, from anybody.
+    pub(crate) tension: f64,
+    pub(crate) hung: &'a [Hung],
 }
 
 impl EnclosedSupport {
@@ -150,6 +154,11 @@ impl EnclosedScene<'_> {
         let changes = changes.chain(self.ground.iter().map(|(part, _)| part[0]));
         breaks.extend(changes.filter(|x| from < *x && *x < to));
         breaks
+    }
+
+    /// Whether the beam may turn at a place.
+    pub(crate) fn is_joint(&self, x: f64) -> bool {
+        self.joints.iter().any(|joint| joint.0.total_cmp(&x).is_eq())
     }
 
     /// `EI` between two places without a change between them.

@@ -31,14 +31,15 @@ pub(crate) fn lines(pair: &Pair, part: [f64; 2]) -> impl Iterator<Item = &Line> 
 /// How far an admissible deflection can be off at most on a part of the beam, by the best of what holds it.
 pub(crate) fn on_part(pair: &Pair, factor: f64, part: [f64; 2]) -> f64 {
     let bounds = lines(pair, part).map(|of| (factor * of.lever(part, pair.soft) + of.shift(part)) * OUTWARDS);
-    bounds.fold(f64::INFINITY, f64::min)
+    bounds.fold(pair.taut.on_part(factor, part), f64::min)
 }
 
 /// The same anywhere: for a beam on two supports at its ends `l²/4 · √(2 gap / (3 EI l))`.
 pub(crate) fn anywhere(pair: &Pair, stiffness: f64, length: f64) -> f64 {
     let factor = factor(pair.gap, stiffness);
     let places = |Line(a, b): &Line| [a.from, a.to, b.from, b.to, a.reach[0], a.reach[1]];
-    let places = pair.lines.iter().chain(&pair.zones).flat_map(places).collect();
+    let places = pair.lines.iter().chain(&pair.zones).flat_map(places);
+    let places = places.chain(pair.taut.places()).collect();
     cells(0.0, length, places).into_iter().map(|part| on_part(pair, factor, part)).fold(0.0, f64::max)
 }
 

@@ -12,7 +12,7 @@ use super::proof::{Pair, Piece};
 use super::reference::{Datum, Line};
 
 /// A place with what is known of the deflection there; [`None`] if what is cut off, and taken from it, uses it up.
-fn known(place: Datum, gap: f64, share: Interval) -> Option<Datum> {
+pub(super) fn known(place: Datum, gap: f64, share: Interval) -> Option<Datum> {
     if place.presses.is_infinite() {
         return Some(place);
     }
@@ -32,7 +32,7 @@ fn known(place: Datum, gap: f64, share: Interval) -> Option<Datum> {
 pub(super) fn held_by(
     enclosed: &EnclosedScene<'_>,
     turns_about: Option<f64>,
-    mut carriers: Vec<Datum>,
+    carriers: &mut [Datum],
     pieces: &[Piece],
     cut_off: &PullCutOff,
     gap_of: impl Fn([Interval; 2], f64) -> f64,
@@ -42,7 +42,7 @@ pub(super) fn held_by(
         return None;
     }
     let fixed = enclosed.supports.iter().filter(|s| s.is_fixed).map(|s| s.x);
-    let lines = lines(enclosed, fixed.chain(turns_about), &mut carriers);
+    let lines = lines(enclosed, fixed.chain(turns_about), carriers);
     if !lines.is_empty() {
         let carried = cut_off.carried(&lines, enclosed.stiffness, enclosed.soft());
         let gap = gap_of(carried, 0.0);
@@ -51,6 +51,11 @@ pub(super) fn held_by(
         if let Some(lines) = lines.into_iter().map(both).collect() {
             return Some((gap, carried[1], lines));
         }
+    }
+    if 0.0 < enclosed.tension {
+        // A string is held by one place, which carries nothing of what is cut off.
+        let carried = cut_off.carried(&[], enclosed.stiffness, enclosed.soft());
+        return Some((gap_of(carried, 0.0), carried[1], Vec::new()));
     }
     // A hinge turns beside one place that carries the beam.
     let place = *carriers.iter().find(|place| place.to <= place.from && !enclosed.is_hinged())?;
@@ -92,10 +97,12 @@ fn every_other(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2], parts: u32) -
     let end = |k: u32| if k < parts { from + (to - from) * (f64::from(k) / f64::from(parts)) } else { to };
     let pressed = |k: u32| {
         let [from, to] = [end(k), end(k + 1)];
-        let [start, end] = [(from, false), (to, true)].map(|(x, left)| enclosed.gap.jet(x, left)[3]);
+        let [start, end] = [(from, false), (to, true)].map(|(x, left)| enclosed.gap.jet(x, left));
         let load = [from, to].map(|x| enclosed.load.line(x, [from, to])[0] * Interval::length(from, to) / number(2));
         let stiffness = Interval::exact(enclosed.stiffness_between([from, to]));
-        let presses = (stiffness * (start - end) + load[0] + load[1]).lo();
+        let presses = stiffness * (start[3] - end[3]) + load[0] + load[1];
+        let pulled = || Interval::exact(enclosed.tension) * (end[1] - start[1]);
+        let presses = if enclosed.tension == 0.0 { presses } else { presses + pulled() }.lo();
         (from < to && enclosed.breaks(from, to).is_empty()).then_some(Datum { to, presses, ..Datum::at(from) })
     };
     (0..parts).step_by(2).filter_map(pressed).collect()

@@ -71,11 +71,16 @@ impl PullCutOff {
     }
 }
 
-/// `q − EI g''''` of a cell on which the beam lies on the ground, about an origin.
+/// `q − EI g'''' + N g''` of a cell on which the beam lies on the ground, about an origin.
 pub(crate) fn pressure(enclosed: &EnclosedScene<'_>, origin: f64, cell: [f64; 2]) -> Polynomial {
     let fourth = enclosed.gap.about(origin, cell).derivative().derivative().derivative().derivative();
     let stiffness = Interval::exact(enclosed.stiffness_between(cell));
-    Polynomial::new(&enclosed.load.line(origin, cell)).minus(&fourth.times(stiffness))
+    let pressure = Polynomial::new(&enclosed.load.line(origin, cell)).minus(&fourth.times(stiffness));
+    if enclosed.tension == 0.0 {
+        return pressure;
+    }
+    let bent = enclosed.gap.about(origin, cell).derivative().derivative();
+    pressure.plus(&bent.times(Interval::exact(enclosed.tension)))
 }
 
 /// A zone, as pieces: the beam on the foundation all the way between two places, if it can lie there; and what pulls.
@@ -94,8 +99,7 @@ pub(crate) fn zone(enclosed: &EnclosedScene<'_>, ends: [f64; 2], cut_off: &mut P
         cut_off.force(x, force);
         // The moment of a beam that follows the ground does not jump, nor does that turn in a joint.
         cut_off.couple(x, couple, [false; 2]);
-        if enclosed.joints.iter().any(|joint| joint.0.total_cmp(&x).is_eq()) && !enclosed.gap.jet(x, true)[2].is_zero()
-        {
+        if enclosed.is_joint(x) && !enclosed.gap.jet(x, true)[2].is_zero() {
             return None;
         }
     }

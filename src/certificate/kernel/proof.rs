@@ -34,6 +34,7 @@ use super::polynomial::{Polynomial, number};
 use super::pressing::{self, PullCutOff};
 use super::reference::Line;
 use super::span::Span;
+use super::tension::Taut;
 
 /// `v̂` on a part of the beam.
 #[derive(Debug, Clone)]
@@ -70,6 +71,8 @@ pub(crate) struct Pair {
     pub(crate) turned: Interval,
     /// [`EnclosedScene::soft`].
     pub(crate) soft: f64,
+    /// What holds it as a string.
+    pub(crate) taut: Taut,
 }
 
 /// What a pair on an elastic foundation has besides.
@@ -88,6 +91,7 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
     // Part i is that to the left of node i.
     let ends = |i: usize| [i.checked_sub(1).map(|i| &nodes[i]), nodes.get(i)];
     let spans: Vec<Option<Span>> = (0..=nodes.len()).map(|i| enclosed.span(ends(i)[0], ends(i)[1])).collect();
+    let spans = enclosed.balanced(nodes, spans);
     let moments: Vec<_> = (0..nodes.len()).map(|i| moments(enclosed, nodes, &spans, i)).collect();
     let mut gap = Interval::ZERO;
     let (mut lifts, mut lifted) = (Interval::ZERO, 0.0_f64);
@@ -98,8 +102,7 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
         let Some(span) = span else {
             let [Some(left), Some(right)] = ends(i) else { continue };
             pieces.extend(pressing::zone(enclosed, [left.x, right.x], &mut cut_off)?);
-            shears[i] = [(left, false), (right, true)]
-                .map(|(j, left)| -(enclosed.stiffness_beside(j.x, left) * enclosed.gap.jet(j.x, left)[3]));
+            shears[i] = [(left, false), (right, true)].map(|(j, left)| enclosed.force_along(j.x, left));
             continue;
         };
         let length = Interval::length(span.from, span.to);
@@ -107,17 +110,20 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
         let [first, last] = [enclosed.load.couple(0.0), -enclosed.load.couple(enclosed.length)];
         let beside = |i: usize, side: usize, end| moments.get(i).map_or(end, |node| node.0[side]);
         let moments = [beside(i.wrapping_sub(1), 1, first), beside(i, 0, last)];
-        shears[i] = span.shears(moments);
+        shears[i] = span.shears(enclosed.tension, moments);
         gap = gap + span.work(enclosed, moments);
         span.hinges(moments).for_each(|(x, moment)| cut_off.hinge(x, moment));
         for (x, kink) in span.kinks() {
             let k = enclosed.joints.iter().find(|joint| joint.0.total_cmp(x).is_eq()).map_or(0.0, |joint| joint.1);
             turned = turned + kink.square() * Interval::exact(0.5 * k);
         }
-        let parts = span.curves(enclosed, Vec::new());
+        let mut parts = span.curves(enclosed, Vec::new());
+        let beside = span.lift_beside(enclosed, &mut parts, ends(i))?;
         let lift = clearance::lift(enclosed, span, &parts, ends(i))?;
         let bent = lift.derivative().derivative();
-        lifts = lifts + bent.integral_of_product(&bent, length).not_negative() * stiffest;
+        let bent = bent.integral_of_product(&bent, length).not_negative() * stiffest;
+        let bent = enclosed.lifted(bent, &lift, length);
+        lifts = lifts + if beside.is_zero() { bent } else { (bent.sqrt() + beside).square() };
         lifted = lifted.max(lift.range(length).magnitude());
         pieces.extend(parts.into_iter().map(|([from, to], [v, _])| {
             let v = v.minus(&lift.shifted(Interval::length(span.from, from)));
@@ -149,30 +155,34 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
             jump = if follows { jump - own } else { jump };
         }
         // Loads in balance need no couple, and what the beam is built in exerts any.
-        if turns_about.is_none() {
+        if turns_about.is_none() && !enclosed.hangs_on(nodes) {
             let any =
                 support.is_some_and(|s| s.slope.is_some() || s.holds_slope() && matches!(node.slope, Slope::Free(_)));
             let made = |left: bool| any || support.is_some() && enclosed.order(node, left) == 2;
             cut_off.couple(node.x, jump, [true, false].map(made));
         }
     }
+    let steady = Interval::exact(enclosed.steadiness());
+    (0.0 < steady.lo()).then_some(())?;
     let [more, energy] = giving::of_loads(enclosed, &pieces);
-    let gap_of = |carried, off| (Interval::exact(corrected(gap, lifts, carried, off)) + more).hi();
-    let carriers = carriers(enclosed, nodes, &forces);
-    let (gap, share, lines) = held_by(enclosed, turns_about, carriers, &pieces, &cut_off, gap_of)?;
+    let gap_of = |carried, off| (Interval::exact(corrected(gap, lifts, carried, off, steady)) + more).hi();
+    let mut carriers = carriers(enclosed, nodes, &forces);
+    let (gap, share, lines) = held_by(enclosed, turns_about, &mut carriers, &pieces, &cut_off, gap_of)?;
+    let taut = Taut::of(enclosed, carriers, gap, share);
     let corrected = Interval::around_zero(share.hi());
     let carried = nodes.iter().zip(forces).map(|(node, force)| (node.x, force + corrected)).collect();
     let (zones, ground, soft) = (Vec::new(), None, enclosed.soft());
     let turned = turned + energy;
-    Some(Pair { pieces, gap, carried, lines, zones, turns_about, lifted, ground, turned, soft })
+    Some(Pair { pieces, gap, carried, lines, zones, turns_about, lifted, ground, turned, soft, taut })
 }
 
 /// The gap with what corrections cost: those of `v̂`, and the moments and the share of what is cut off, which is taken from places that
 /// are `off` the ground by so much.
-fn corrected(gap: Interval, lifts: Interval, [moment, share]: [Interval; 2], off: f64) -> f64 {
+fn corrected(gap: Interval, lifts: Interval, [moment, share]: [Interval; 2], off: f64, steady: Interval) -> f64 {
     let root = (number(2) * gap.not_negative()).sqrt() + lifts.sqrt() + moment;
     // What presses beside the ground has the clearance there for its gap.
-    (root.square() / number(2) + share * Interval::exact(off)).hi()
+    let gap = root.square() / number(2) + share * Interval::exact(off);
+    if steady == number(1) { gap.hi() } else { (gap / steady.square()).hi() }
 }
 
 /// Whether nodes are in order, have all supports among them, end every zone that they start, and follow the ground only where

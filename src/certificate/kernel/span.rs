@@ -20,6 +20,7 @@ use super::flexibility::Flexible;
 use super::interval::Interval;
 use super::load::{EnclosedLoad, cells};
 use super::polynomial::{Polynomial, number};
+use super::tension::Parts;
 
 /// `v, v', v'', v'''` at a place.
 pub(crate) type Jet = [Interval; 4];
@@ -44,6 +45,8 @@ pub(crate) struct Span {
     /// Where the beam changes on it: how flexible it is, and by how much its slope jumps in joints.
     pub(super) flexible: Option<Rc<Flexible>>,
     pub(super) kinks: Vec<(f64, Interval)>,
+    /// Under an axial force its parts.
+    pub(super) hung: Option<Parts>,
 }
 
 /// `∫ b q`, `∫ a q`, `∫ a b² q` and `∫ a² b q` of what stands between two places, at the distances `a` and `b` from them.
@@ -105,6 +108,10 @@ impl Span {
     /// The beam between two places with deflection and slope `[v, v']` at both, or at the one that is not free; `rise` is
     /// `v₁ − v₀ − θ₀ L` if that is known in another way, too.
     pub(crate) fn new(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2], ends: Ends, rise: Option<Interval>) -> Self {
+        if enclosed.tension != 0.0 {
+            let ([b, a, ..], length) = (integrals(enclosed.load, [from, to]), Interval::length(from, to));
+            return Self::under_tension(enclosed, [from, to], ends, [b, a].map(|arms| arms / length));
+        }
         if let Some(flexible) = Flexible::of(enclosed, [from, to]) {
             return Self::flexible(enclosed, [from, to], ends, rise, flexible);
         }
@@ -142,7 +149,7 @@ impl Span {
         let third = (bent[1] - bent[0]) / length;
         let start = [left[0], left[1], bent[0], third - loaded[0] / stiffness];
         let end = [right[0], right[1], bent[1], third + loaded[1] / stiffness];
-        Self { from, to, start, end, loaded, flexible: None, kinks: Vec::new() }
+        Self { from, to, start, end, loaded, flexible: None, kinks: Vec::new(), hung: None }
     }
 
     /// The same of one on which the beam changes.
@@ -195,7 +202,7 @@ impl Span {
         let at_end =
             kinks.iter().filter(|(x, _)| x.total_cmp(&to).is_eq()).fold(Interval::ZERO, |sum, kink| sum + kink.1);
         let end = [end[0], end[1] - at_end, end[2], end[3]];
-        Self { from, to, start, end, loaded, flexible: Some(Rc::new(flexible)), kinks }
+        Self { from, to, start, end, loaded, flexible: Some(Rc::new(flexible)), kinks, hung: None }
     }
 
     /// How minus the moments at both ends answer to the slopes there, in the unit of moments, by its middle: `[end][slope]`.
@@ -216,15 +223,21 @@ impl Span {
         self.flexible.iter().flat_map(move |flexible| flexible.in_hinges(moments))
     }
 
-    /// `V` at its two ends from the moments there: not from the third derivative, of which rounding is larger by the square of a
+    /// `V`, or under an axial force `H`, at its two ends from the moments there: not from the third derivative, of which rounding is larger by the square of a
     /// short span.
-    pub(crate) fn shears(&self, moments: [Interval; 2]) -> [Interval; 2] {
-        let shear = (moments[1] - moments[0]) / Interval::length(self.from, self.to);
+    pub(crate) fn shears(&self, tension: f64, moments: [Interval; 2]) -> [Interval; 2] {
+        let length = Interval::length(self.from, self.to);
+        let shear = (moments[1] - moments[0]) / length;
+        let risen = || Interval::exact(tension) * (self.end[0] - self.start[0]) / length;
+        let shear = if tension == 0.0 { shear } else { shear + risen() };
         [shear + self.loaded[0], shear - self.loaded[1]]
     }
 
     /// At least `½∫ (EI v'' + M)²/EI dx`, and the same of joints, from the moments at its two ends.
     pub(crate) fn work(&self, enclosed: &EnclosedScene<'_>, moments: [Interval; 2]) -> Interval {
+        if let Some(parts) = &self.hung {
+            return self.work_under_tension(enclosed, parts, moments, self.shears(enclosed.tension, moments)[0]);
+        }
         let Some(flexible) = &self.flexible else {
             let stiffness = Interval::exact(enclosed.stiffness_between([self.from, self.to]));
             return self.misfit(stiffness, moments) / (number(12) * stiffness);
@@ -242,7 +255,7 @@ impl Span {
     /// `M(from + s)` by parts without a break of the load, from the moments at its two ends.
     pub(crate) fn moments(&self, enclosed: &EnclosedScene<'_>, at_ends: [Interval; 2]) -> Vec<([f64; 2], Polynomial)> {
         let load = enclosed.load;
-        let [mut moment, mut shear] = [at_ends[0], self.shears(at_ends)[0]];
+        let [mut moment, mut shear] = [at_ends[0], self.shears(enclosed.tension, at_ends)[0]];
         let part = |part: [f64; 2]| {
             let [q, rise] = load.line(part[0], part);
             let of = Polynomial::new(&[moment, shear, -q / number(2), -rise / number(6)]);
@@ -258,6 +271,9 @@ impl Span {
     /// `breaks` besides those of the load. Without those of the foundation rounding does not grow there.
     pub(crate) fn curves(&self, enclosed: &EnclosedScene<'_>, mut breaks: Vec<f64>) -> Vec<Curve> {
         breaks.extend(enclosed.breaks(self.from, self.to));
+        if let Some(parts) = &self.hung {
+            return self.curves_of(parts, breaks);
+        }
         let parts = cells(self.from, self.to, breaks);
         let forwards = march(enclosed, self.start, &parts, &self.kinks);
         let from_the_end: Vec<[f64; 2]> = parts.iter().rev().map(|[from, to]| [*to, *from]).collect();

@@ -34,6 +34,7 @@ use super::pressing::PullCutOff;
 use super::proof::{Pair, Piece, Sprung};
 use super::reference::Datum;
 use super::span::Span;
+use super::tension::Taut;
 
 /// A part of the beam, from anybody.
 #[derive(Debug, Clone, PartialEq)]
@@ -92,7 +93,7 @@ struct Sums {
 
 /// The cubic that has given values and slopes at `0` and `w`, less those of a polynomial; with a mean slope `a` that is known in another
 /// way than as a quotient.
-fn cubic(ends: [[Interval; 2]; 2], less: &Polynomial, w: Interval, mean: Option<Interval>) -> Polynomial {
+pub(super) fn cubic(ends: [[Interval; 2]; 2], less: &Polynomial, w: Interval, mean: Option<Interval>) -> Polynomial {
     let off = |k: usize, s: Interval| [ends[k][0] - less.at(s), ends[k][1] - less.derivative().at(s)];
     let ([y0, d0], [y1, d1]) = (off(0, Interval::ZERO), off(1, w));
     let a = mean.unwrap_or_else(|| (y1 - y0) / w);
@@ -236,7 +237,8 @@ impl OnSprings<'_> {
         if let Some(walked) = self.sheared[node] {
             return walked;
         }
-        let hanging = |i: usize| spans.get(i)?.as_ref().map(|span| span.shears([moments[i][1], moments[i + 1][0]]));
+        let hanging =
+            |i: usize| spans.get(i)?.as_ref().map(|span| span.shears(0.0, [moments[i][1], moments[i + 1][0]]));
         let (load, is_free) = (self.enclosed.load.point(self.x(node)), self.enclosed.support(self.x(node)).is_none());
         let [before, behind] = [node.checked_sub(1).and_then(hanging).map(|v| v[1]), hanging(node).map(|v| v[0])];
         let [left, right] = [true, false].map(|left| self.said(node, left, 3).unwrap_or(Interval::ZERO));
@@ -348,8 +350,8 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, stretches: &[Stretch]) -> Optio
     let carried = nodes.iter().map(|node| (on.x(*node), force(node) + Interval::around_zero(share.hi()))).collect();
     let zones = on.held_by_groups(&sums, gap);
     let ground = Some(Sprung { energy: sums.energy / number(2), moments: sums.moments });
-    let (pieces, turned, soft) = (sums.pieces, sums.turned / number(2), enclosed.soft());
-    Some(Pair { pieces, gap, carried, lines, zones, turns_about: None, lifted: 0.0, ground, turned, soft })
+    let (pieces, turned, soft, taut) = (sums.pieces, sums.turned / number(2), enclosed.soft(), Taut::default());
+    Some(Pair { pieces, gap, carried, lines, zones, turns_about: None, lifted: 0.0, ground, turned, soft, taut })
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@ use crate::certificate::in_intervals;
 use crate::certificate::kernel::proof::Sprung;
 use crate::certificate::kernel::reference::{Datum, Line};
 use crate::certificate::kernel::springs::{self, Stretch};
+use crate::certificate::kernel::tension::Taut;
 use crate::scene::{Balance, Beam, Foundation, Load, Support};
 
 const LENGTH: f64 = 20.0;
@@ -35,6 +36,7 @@ fn pair_on_two_ends(pieces: Vec<Piece>, gap: f64) -> Pair {
         ground: None,
         turned: Interval::ZERO,
         soft: 0.0,
+        taut: Taut::default(),
     }
 }
 
@@ -128,6 +130,7 @@ fn only_rigid_ground_that_bends_away_is_clear_whatever_the_pair() {
         ground,
         turned: Interval::ZERO,
         soft: 0.0,
+        taut: Taut::default(),
     };
     in_intervals(&scene, Balance::Held, |enclosed| {
         let sprung = Sprung { energy: Interval::ZERO, moments: Vec::new() };
@@ -257,6 +260,7 @@ fn a_support_that_only_pushes_may_carry_a_part_of_a_load_in_balance() {
             ground: None,
             turned: Interval::ZERO,
             soft: 0.0,
+            taut: Taut::default(),
         };
         in_intervals(&scene, Balance::Held, |enclosed| {
             assert_eq!(carries_all(enclosed, &pair, MIDDLE), carries, "{level}");

@@ -48,12 +48,14 @@ pub(super) struct BeamKeys {
     pub(super) length: f64,
     pub(super) bending_stiffness: Stiffness,
     pub(super) joints: Vec<Joint>,
+    pub(super) tension: f64,
     pub(super) shape: Option<Given>,
     pub(super) supports: Option<Vec<Support>>,
 }
 
 fn beam(file: &Keys<'_>) -> Result<BeamKeys, Error> {
-    let beam = file.required_table("beam", &["length", "bending_stiffness", "shape", "supports", "joints"])?;
+    let beam =
+        file.required_table("beam", &["length", "bending_stiffness", "shape", "supports", "joints", "tension"])?;
     Ok(BeamKeys {
         length: beam.required_number("length")?,
         bending_stiffness: stiffness(&beam.required(
@@ -62,6 +64,7 @@ fn beam(file: &Keys<'_>) -> Result<BeamKeys, Error> {
             beam.get("bending_stiffness"),
         )?)?,
         joints: beam.elements("joints")?.iter().map(joint).collect::<Result<_, _>>()?,
+        tension: beam.number("tension")?.unwrap_or(0.0),
         shape: profile(&beam, "shape", Profile::Shape, KINDS)?,
         supports: beam.get("supports").map(|value| supports(&value)).transpose()?,
     })

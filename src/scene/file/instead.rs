@@ -49,11 +49,8 @@ const INSTEAD: &[Instead] = &[
     },
     Instead {
         table: "beam",
-        keys: &["tension", "compression", "axial", "axial_force", "prestress", "n"],
-        write: &[
-            ("tension", "write the axial force as `tension`, negative for compression"),
-            ("", "axial force is not supported yet"),
-        ],
+        keys: &["compression", "axial", "axial_force", "prestress", "n"],
+        write: &[("tension", "write the axial force as `tension`, negative for compression")],
     },
     Instead {
         table: "beam",

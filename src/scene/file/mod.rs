@@ -144,7 +144,7 @@ fn assemble(
     if let Some(shape) = shape {
         beam = beam.with_shape(shape)?;
     }
-    let beam = beam.with_joints(keys.joints)?;
+    let beam = beam.with_joints(keys.joints)?.with_tension(keys.tension)?;
     let load = Load::new(&beam, load.uniform, load.linear, load.point)?.with_couples(&beam, load.couple)?;
     let scene = match stiffness {
         None => Scene::new(beam, load, foundation)?,

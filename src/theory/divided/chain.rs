@@ -1,9 +1,10 @@
 //! The chain of the parts of a span, solved.
 
 use super::Answer;
-use crate::qp::blocks::{Block, PENALTY, factor, solve};
+use crate::qp::blocks::{Block, PENALTY, factor, factor_under_tension, solve_towards};
 use crate::theory::piecewise::{AtSpring, Breakpoint, PiecewiseScene};
 use crate::theory::span::{End, FixedEnd};
+use crate::theory::tension::Tense;
 use crate::theory::way::{Prescribed, Way};
 
 /// A part of the span, with what its load does.
@@ -11,6 +12,8 @@ pub(super) struct Part {
     pub(super) ends: [End; 2],
     pub(super) stiffness: f64,
     pub(super) fixed: FixedEnd,
+    /// What it does under an axial force, in the place of that.
+    pub(super) tense: Option<Tense>,
 }
 
 impl Part {
@@ -18,14 +21,19 @@ impl Part {
         self.ends[1].x - self.ends[0].x
     }
 
-    /// `h'` and `N` at both ends, from `h` and `n` there; with or without its load.
-    fn ends(&self, [h, k]: [f64; 2], [n, m]: [f64; 2], loaded: bool) -> [[f64; 2]; 2] {
+    /// `h'`, what is in balance where parts meet, and `N` at both ends, from `h` and `n` there; without an axial force the latter two are
+    /// the same.
+    fn ends(&self, [h, k]: [f64; 2], [n, m]: [f64; 2]) -> [[f64; 3]; 2] {
+        if let Some(tense) = &self.tense {
+            return tense.ends([h, k], [n, m]);
+        }
         let l = self.length();
         let (sixth, chord, rise) = (l / self.stiffness / 6.0, (k - h) / l, (m - n) / l);
-        let [own_a, own_b] = if loaded { self.own() } else { [[0.0; 2]; 2] };
+        let [own_a, own_b] = self.own();
+        let [shear_a, shear_b] = [rise + own_a[1], rise + own_b[1]];
         [
-            [chord - sixth * (2.0 * n + m) + own_a[0], rise + own_a[1]],
-            [chord + sixth * (n + 2.0 * m) + own_b[0], rise + own_b[1]],
+            [chord - sixth * (2.0 * n + m) + own_a[0], shear_a, shear_a],
+            [chord + sixth * (n + 2.0 * m) + own_b[0], shear_b, shear_b],
         ]
     }
 
@@ -77,7 +85,7 @@ impl Place {
             step: if broken { step } else { 0.0 },
             kink: if broken { kink } else { 0.0 },
             couple: right[2] - left[2] - couple,
-            shear: right[3] - left[3] - force,
+            shear: right[3] - left[3] - force - if broken { given.tension * kink } else { 0.0 },
             joint,
             straight: right[2],
             ..Self::default()
@@ -99,6 +107,8 @@ impl Place {
 struct Row {
     block: Block,
     theta: f64,
+    /// Under an axial force `c² − n ω`.
+    left: f64,
     right: [f64; 2],
 }
 
@@ -120,7 +130,7 @@ pub(super) struct Chain<'a> {
     /// One more than parts.
     pub(super) places: &'a [Place],
     pub(super) way: &'a Way,
-    /// `n` and `N` beyond an end that a spring holds, and no node.
+    /// `n` and `N` beyond an end that a spring holds, and no node; under an axial force those of a free end.
     pub(super) beyond: [Option<[f64; 2]>; 2],
 }
 
@@ -128,13 +138,22 @@ impl Chain<'_> {
     /// `h, h', n, N` at both ends of each part, and the answer.
     pub(super) fn solve(&self) -> Option<(Vec<[[f64; 4]; 2]>, Answer)> {
         let Rows { mut rows, right, at } = self.rows();
-        factor(&mut rows, |row| row.theta);
-        let hinges = Hinges::of(&mut rows, self.hinges(&at))?;
+        let axial = self.parts[0].tense.map(|tense| tense.force);
+        // Under an axial force towards a free end.
+        let meeting = if axial.is_some() && self.beyond[0].is_some() { 0 } else { rows.len() - 1 };
+        match axial {
+            Some(_) => factor_under_tension(&mut rows, meeting, |row| row.theta, |row| row.left),
+            None => factor(&mut rows, |row| row.theta),
+        }
+        let hinges = Hinges::of(&mut rows, self.hinges(&at), meeting)?;
         let mut of = |right: &dyn Fn(usize) -> [f64; 2], loaded: bool| {
             rows.iter_mut().enumerate().for_each(|(i, row)| row.right = right(i));
-            solve(&mut rows, |row| row.right);
+            solve_towards(&mut rows, meeting, |row| row.right);
             hinges.turn(&mut rows, loaded);
-            let sound = rows.iter().all(|row| row.block.failed().is_none());
+            // Under compression a part beside a free end has a negative pivot, which others make up for.
+            let is_compressed = axial.is_some_and(|force| force < 0.0);
+            let bears = |row: &Row| row.block.failed().is_none() || is_compressed && row.block.is_finite();
+            let sound = rows.iter().all(bears);
             sound.then(|| rows.iter().map(|row| row.block.step).collect::<Vec<_>>())
         };
         let found = of(&|i| right[i], true)?;
@@ -154,7 +173,7 @@ impl Chain<'_> {
             let Place { step, couple, .. } = self.places[i + 1];
             let ([h, m], [k, o]) = (found[at[i][1]], found[at[i + 1][0]]);
             let (hs, ns) = ([h, k - step], [m, o - couple]);
-            let [[a1, a3], [b1, b3]] = self.parts[i].ends(hs, ns, true);
+            let [[a1, _, a3], [b1, _, b3]] = self.parts[i].ends(hs, ns);
             [[hs[0], a1, ns[0], a3], [hs[1], b1, ns[1], b3]]
         };
         Some(((0..n).map(state).collect(), answer))
@@ -180,12 +199,15 @@ impl Chain<'_> {
         let mut rows: Vec<Row> = (0..count).map(|_| Row::default()).collect();
         let mut right = vec![[0.0; 2]; count];
         for (i, part) in self.parts.iter().enumerate() {
-            let third = part.length() / part.stiffness / 3.0;
             let Place { step, couple, .. } = self.places[i + 1];
-            let [[turn_a, shear_a], [turn_b, shear_b]] = part.ends([0.0, -step], [0.0, -couple], true);
+            let [[turn_a, shear_a, _], [turn_b, shear_b, _]] = part.ends([0.0, -step], [0.0, -couple]);
             let ([_, from], [to, _]) = (at[i], at[i + 1]);
+            let third = part.length() / part.stiffness / 3.0;
+            let law = part.tense.map_or([1.0 / part.length(), 0.0, third, 0.5 * third, 0.0], |tense| tense.law);
+            let [c, pull, third, off, left] = law;
             let w = rows[from].block.w + third;
-            rows[from].block = Block::new(1.0 / part.length(), w, 0.5 * third);
+            rows[from].block = Block::new(c, w, off).on_springs(-pull, 0.0);
+            rows[from].left = left;
             rows[to].block.w += third;
             right[from] = [right[from][0] - shear_a, right[from][1] - turn_a];
             right[to] = [right[to][0] + shear_b, right[to][1] + turn_b];
@@ -249,19 +271,21 @@ struct Hinges {
     rows: Vec<(usize, f64)>,
     /// The inverse of what moment a unit turn of each makes in each.
     turns: Vec<Vec<f64>>,
+    /// The row towards which the chain is factored.
+    meeting: usize,
 }
 
 impl Hinges {
     /// [`None`] for a mechanism.
-    fn of(rows: &mut [Row], hinges: Vec<(usize, f64)>) -> Option<Self> {
+    fn of(rows: &mut [Row], hinges: Vec<(usize, f64)>, meeting: usize) -> Option<Self> {
         let mut bent = Vec::with_capacity(hinges.len());
         for &(hinge, _) in &hinges {
             rows.iter_mut().for_each(|row| row.right = [0.0; 2]);
             rows[hinge].right[1] = 1.0;
-            solve(rows, |row| row.right);
+            solve_towards(rows, meeting, |row| row.right);
             bent.push(hinges.iter().map(|&(other, _)| rows[other].block.step[1]).collect());
         }
-        Some(Self { turns: inverse(bent)?, rows: hinges })
+        Some(Self { turns: inverse(bent)?, rows: hinges, meeting })
     }
 
     /// Turns them in a solution of the rows.
@@ -279,7 +303,7 @@ impl Hinges {
                 let turn: f64 = self.turns.iter().zip(&off).map(|(of, off)| of[k] * off).sum();
                 rows[*hinge].right[1] -= turn;
             }
-            solve(rows, |row| row.right);
+            solve_towards(rows, self.meeting, |row| row.right);
         }
     }
 }

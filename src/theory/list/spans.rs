@@ -72,6 +72,11 @@ impl List {
                 false => parts.last().beam_b[1] + turned(parts.last().beam_b[2]),
             })
         };
+        if given.tension != 0.0 {
+            let (held, free) = (node.span_end(given, cell), End::free_of(given, at_left));
+            let (ends, joint) = if at_left { ([free, held], node.joint(given)) } else { ([held, free], 0.0) };
+            return divided::parts(given, ends, joint);
+        }
         let slope = node.held_slope(given).or_else(beside).unwrap_or(node.free_slope()[0]);
         let held = node.span_end(given, cell);
         let divisions =
@@ -93,12 +98,6 @@ impl List {
         if self.overhangs(given, i)[1] {
             right.hinge(given, &mut b, false);
         }
-        let (divisions, joint) = (given.divisions_between(a.x, b.x), right.joint(given));
-        if divisions.is_empty() && joint == 0.0 {
-            return Parts::one(Span::between(given, a, b));
-        }
-        let parts = divided::between(given, [a, b], divisions, joint);
-        // Nothing is known of a mechanism.
-        parts.map_or_else(|| Parts::one(Span::between(given, a, b).unknown()), Parts::of)
+        divided::parts(given, [a, b], right.joint(given))
     }
 }

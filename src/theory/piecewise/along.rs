@@ -1,8 +1,23 @@
 //! Where the beam changes, and where a beam that follows the ground would be pulled.
 
-use super::{Breakpoint, PiecewiseScene};
+use super::{Breakpoint, Cell, PiecewiseScene};
 
 impl PiecewiseScene {
+    /// `e u'''' − N u'' − q` in `cell`: what drives the clearance where nothing touches, and minus the pressure where it does.
+    pub(in crate::theory) fn drive(&self, cell: usize, x: f64) -> f64 {
+        let degree = self.shapes[self.cells[cell].shape].degree();
+        let profile = if degree.is_none_or(|d| 4 <= d) { self.bent(cell, x, 4) } else { 0.0 };
+        let bends = self.tension != 0.0 && degree.is_none_or(|d| 2 <= d);
+        let pulled = if bends { self.tension * self.derivative(cell, x, 2) } else { 0.0 };
+        profile - pulled - self.load(cell, x)
+    }
+
+    /// The same at a distance `t` from `lo`, without the waves of a profile, which follow in closed form.
+    pub(in crate::theory) fn drive_without_waves(&self, cell: usize, lo: f64, t: f64) -> f64 {
+        let Cell { shape, stiffness, .. } = self.cells[cell];
+        stiffness * self.shapes[shape].fourth_without_waves(lo + t) - self.load_beyond(cell, lo, t)
+    }
+
     /// Those at which the beam changes strictly between `a` and `b`.
     pub(in crate::theory) fn divisions_between(&self, a: f64, b: f64) -> &[usize] {
         let x = |i: &usize| self.breakpoints[*i].x;

@@ -5,4 +5,5 @@ mod known;
 mod layouts;
 mod messages;
 mod random;
+mod shear;
 mod slab;

@@ -5,6 +5,7 @@ mod envelope;
 mod events;
 mod family;
 mod find;
+mod find_soft;
 mod govern;
 mod rows;
 mod trains;

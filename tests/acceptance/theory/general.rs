@@ -9,20 +9,20 @@ use palkki::verdict::Status;
 /// What is asked for beside numbers of 16 digits.
 const DIGITS: f64 = 1e-11;
 
-fn scene(text: &str) -> Scene {
+pub(super) fn scene(text: &str) -> Scene {
     parse("scene.toml", text, |_| Err(ReadProblem::Missing)).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
 /// The exact answer, which has to be certified.
 #[track_caller]
-fn certified(text: &str) -> ContactState {
+pub(super) fn certified(text: &str) -> ContactState {
     let solution = palkki::solve_exactly(&scene(text)).expect("an answer");
     assert_eq!(solution.verdict.status, Status::Certified, "{text}");
     solution.state
 }
 
 #[track_caller]
-fn check(what: &str, found: f64, expected: f64) {
+pub(super) fn check(what: &str, found: f64, expected: f64) {
     let error = (found - expected).abs();
     assert!(error <= DIGITS * expected.abs(), "{what}: {found} instead of {expected}, off by {error:e}");
 }

@@ -17,6 +17,7 @@ mod hinges;
 mod level;
 mod long;
 mod near;
+mod opened;
 mod pushing;
 mod random;
 pub(crate) mod settled;
@@ -24,6 +25,7 @@ mod springs;
 mod sprung;
 mod supports;
 mod surveys;
+mod tension;
 mod touching;
 
 use palkki::scene::Scene;

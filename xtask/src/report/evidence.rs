@@ -13,8 +13,10 @@ mod holds;
 mod in_one_file;
 mod judged;
 mod moment;
+mod opened_gap;
 mod paper;
 mod play;
+mod point_force;
 mod population;
 mod problem;
 mod proven;
@@ -75,6 +77,7 @@ const SUBJECTS: &[Subject] = &[
     ("play", play::evidence),
     ("solvers", problem::solvers),
     ("teaching", teaching::evidence),
+    ("opened_gap", opened_gap::evidence),
     ("figures", paper::figures::evidence),
     ("flexibility", paper::flexibility::evidence),
     ("moment", moment::evidence),
@@ -91,6 +94,7 @@ const SUBJECTS: &[Subject] = &[
     ("scene_file", scene_file::evidence),
     ("sweeps", sweeps::evidence),
     ("stiff", stiff::evidence),
+    ("point_force", point_force::evidence),
     ("claims", paper::claims::evidence),
     ("recommendation", paper::claims::recommendation),
     ("cost", cost::evidence),

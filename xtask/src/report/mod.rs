@@ -43,6 +43,9 @@ const DOCUMENTS: [&str; 13] = [
     "appendix",
 ];
 
+/// Sections that are templates of their own, without the ending. Each stands where one document has a line `{% include "name.md" %}`.
+const PARTS: [&str; 2] = ["opened-gap", "point-force"];
+
 /// The path of a document below `report/`.
 fn path_of(document: &str) -> String {
     if document == DOCUMENTS[0] { "README.md".to_owned() } else { format!("pages/{document}.md") }
@@ -137,15 +140,27 @@ fn of_files(root: &Path) -> Result<Rendered, Cause> {
     Ok([(html::PATH.to_owned(), html::page(&rendered)?)].into())
 }
 
-/// The templates in the order of [`DOCUMENTS`]; an error if the files are not the same set.
+/// The templates in the order of [`DOCUMENTS`], with [`PARTS`] in their places; an error if the files are not the same set, or a part does not
+/// stand in one place.
 fn templates(root: &Path) -> Result<Vec<String>, Cause> {
     for path in files::list(root, "report/templates")? {
-        if !DOCUMENTS.iter().chain([&words::NAME]).any(|name| path == format!("report/templates/{name}.md")) {
+        let mut known = DOCUMENTS.iter().chain(&PARTS).chain([&words::NAME]);
+        if !known.any(|name| path == format!("report/templates/{name}.md")) {
             let advice = "add it to DOCUMENTS in xtask/src/report/mod.rs, or remove it";
             return Err(format!("{path} is no template of a document: {advice}").into());
         }
     }
-    DOCUMENTS.into_iter().map(|name| files::text(root, &format!("report/templates/{name}.md"))).collect()
+    let text = |name: &str| files::text(root, &format!("report/templates/{name}.md"));
+    let mut documents = DOCUMENTS.into_iter().map(text).collect::<Result<Vec<_>, _>>()?;
+    for part in PARTS {
+        let line = format!("{{% include \"{part}.md\" %}}\n");
+        let mut places = documents.iter_mut().filter(|document| document.contains(&line));
+        let (Some(place), None) = (places.next(), places.next()) else {
+            return Err(format!("not exactly one document has the line {}", line.trim()).into());
+        };
+        *place = place.replacen(&line, &text(part)?, 1);
+    }
+    Ok(documents)
 }
 
 /// What the templates see: the values of every subject under its name, and under `report` the list of all data.

@@ -26,8 +26,8 @@ fn templates_and_documents_are_the_same_set() {
     let stems = listed.iter().filter_map(|path| path.strip_prefix("report/templates/")?.strip_suffix(".md"));
     assert_eq!(
         stems.collect::<BTreeSet<_>>(),
-        DOCUMENTS.into_iter().chain([words::NAME]).collect(),
-        "templates (left) and DOCUMENTS (right)"
+        DOCUMENTS.into_iter().chain(PARTS).chain([words::NAME]).collect(),
+        "templates (left), DOCUMENTS and PARTS (right)"
     );
 }
 

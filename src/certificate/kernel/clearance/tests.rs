@@ -178,6 +178,7 @@ fn the_shape_of_a_lift() {
         loaded: [Interval::ZERO; 2],
         flexible: None,
         kinks: Vec::new(),
+        hung: None,
     };
     for powers in (0..3).flat_map(|a| (0..3).map(move |b| [a, b])) {
         let shape = shape(&span, powers);

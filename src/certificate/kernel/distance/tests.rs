@@ -4,6 +4,7 @@ use super::*;
 use crate::certificate::judged::{Cell, NARROW, parts};
 use crate::certificate::kernel::polynomial::Polynomial;
 use crate::certificate::kernel::reference::{Datum, Line};
+use crate::certificate::kernel::tension::Taut;
 
 const LENGTH: f64 = 20.0;
 const STIFFNESS: f64 = 70.0;
@@ -33,6 +34,7 @@ fn pair(pieces: Vec<Piece>) -> Pair {
         ground: None,
         turned: Interval::ZERO,
         soft: 0.0,
+        taut: Taut::default(),
     }
 }
 

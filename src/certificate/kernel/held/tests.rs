@@ -6,6 +6,7 @@ use crate::certificate::in_intervals;
 use crate::certificate::kernel::contact_node::tests::{Kind, node};
 use crate::certificate::kernel::distance::on_part;
 use crate::certificate::kernel::polynomial::Polynomial;
+use crate::certificate::kernel::tension::Taut;
 use crate::scene::{Balance, Beam, Foundation, LinearLoad, Load, PointLoad, Scene};
 
 const LENGTH: f64 = 20.0;
@@ -109,6 +110,7 @@ fn parts_of_zones_hold_with_what_is_apart() {
         ground: None,
         turned: Interval::ZERO,
         soft: 0.0,
+        taut: Taut::default(),
     };
     // Far from the first line there are too many of zones, none of which is known as well.
     let (end, most) = ([LENGTH; 2], factor(GAP, STIFFNESS));

@@ -11,6 +11,7 @@ pub mod check;
 pub mod clapeyron;
 pub mod forward;
 pub mod given;
+pub mod layer;
 pub mod number;
 pub mod statics;
 

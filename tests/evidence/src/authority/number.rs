@@ -95,6 +95,9 @@ impl Number for RBig {
 /// [`Solution::uncertainty`](super::clapeyron::Solution::uncertainty) says by how much.
 const PLACES: usize = 256;
 
+/// Terms of a series of e^−1, of which the last is less than 2⁻²⁵⁶: 58! has 260 bits.
+const TERMS: i64 = 60;
+
 /// A multiple of 2⁻²⁵⁶. Sums and products with integers are exact; other products and quotients are off by a unit at most.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub struct Fixed(IBig);
@@ -115,6 +118,33 @@ impl Fixed {
             sum
         };
         Self::whole(16).times(&arctan(5)).minus(&Self::whole(4).times(&arctan(239)))
+    }
+
+    /// `e^self` of a number that is not positive: the series of `self/2ⁿ`, which lies between −1 and 0, squared `n` times. Each square doubles
+    /// the relative error.
+    pub fn decay(&self) -> Self {
+        let (mut part, mut halvings) = (self.clone(), 0);
+        while part < Self::whole(-1) {
+            part = Self(part.0 >> 1);
+            halvings += 1;
+        }
+        let (mut term, mut sum, mut k) = (Self::whole(1), Self::zero(), 1);
+        while k < TERMS {
+            sum = sum.plus(&term);
+            term = term.times(&part).over(&Self::whole(k));
+            k += 1;
+        }
+        (0..halvings).fold(sum, |power, _| power.times(&power))
+    }
+
+    /// With so many digits behind the point, rounded.
+    pub fn decimal(&self, places: usize) -> String {
+        let scale = (0..places).fold(IBig::ONE, |power, _| power * IBig::from(10));
+        let half = IBig::ONE << (PLACES - 1);
+        let digits = ((self.magnitude().0 * scale + half) >> PLACES).to_string();
+        let digits = format!("{digits:0>width$}", width = places + 1);
+        let (whole, fraction) = digits.split_at(digits.len() - places);
+        format!("{}{whole}.{fraction}", if *self < Self::zero() { "-" } else { "" })
     }
 
     /// The cosine by its series, the angle at most a few turns: digits are lost to terms of size e^|angle| only.

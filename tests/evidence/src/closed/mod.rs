@@ -12,10 +12,14 @@
 //! Nothing is solved here, and nothing is shared with theory, which proposes the contacts of other answers.
 
 mod forms;
+mod opened;
+mod shear;
 mod simple;
 mod stiff;
 
 pub use forms::{EI, Q, between, built_in, overhang};
+pub use opened::{Opened, opened};
+pub use shear::{Sheared, lifting_discontinuity, sheared};
 pub use simple::{FlatSolution, Incline, Lifted, flat, incline, lifted, parabola, simple};
 
 pub use stiff::{Stiff, Strip, gap_opens, stiff, strip};

@@ -149,8 +149,8 @@ fn on_a_parabola(scene: &Scene, [slope, bend]: [f64; 2], points: &[PointLoad]) -
     let contact = e.contact_force + points.iter().map(|p| p.force).sum::<f64>();
     let energy = e.energy - points.iter().map(|p| p.force * scene.depth(p.at)).sum::<f64>();
     Some((
-        "with w = u″: q a⁴/(24 EI) + w a²/6 = u(0), T = q a/2 − EI w/a, force q a/2 + EI w/a at each end of the zone, and \
-         the point load goes into the ground where it stands",
+        "with w = u″: q a⁴/(24 EI) + w a²/6 = u(0), T = q a/2 − EI w/a, force q a/2 + EI w/a at each end of the zone; \
+         the point load is carried where it acts",
         Closed::zone([e.reaction; 2], [a, l - a], [e.end_force; 2], contact, energy),
     ))
 }

@@ -1,0 +1,326 @@
+//! A beam under an axial force `N`, tension positive: a span of it as parts with a polynomial each, from anybody.
+//!
+//! For any `v̂` that its supports hold, the axial force is a load `−N v̂''` that is known: with moments `M` in balance with the loads
+//!
+//! ```text
+//! M'' = p − q − N v̂'',    r = EI v̂'' + M,    H = M' + N v̂'  the vertical force, which contacts make jump
+//! J(v̂) − J* ≤ ρ²/2α + ∫ (g − v̂) dp,      ‖v̂ − v*‖² ≤ 2 (J(v̂) − J*)/α,      ρ² = ∫ r²/EI,   ‖w‖² = ∫ EI w''²
+//! ```
+//!
+//! if the second part of `J`, `½∫ EI w''² + ½∫ N w'²`, is at least `α ‖w‖²/2` for all `w` that vanish at the supports: `α = 1` under tension,
+//! and `1 − |N|/N_cr` under compression. A gap that is divided by `α²` bounds both. In joints `k [w']²` belongs to the norm, and
+//! `(k [v̂'] + M)²/k` to `ρ²`.
+//!
+//! *Bound on `N_cr`.* Between two neighbouring supports `w'` has the mean zero, so that `∫ w'² ≤ (L/π)² ∫ w''²`, and in joints at the
+//! distances `a + b = L` by Southwell's and Dunkerley's sum of flexibilities `L²/π² EI + Σ ab/Lk`. From a place where `w' = 0`, in the
+//! outermost span or where the beam is built in, to a free end at the distance `D` at most `∫ w'² ≤ (2D/π)² ∫ w''²`.
+
+use std::rc::Rc;
+
+use super::clearance;
+use super::contact_node::{ContactNode, EnclosedScene, Slope};
+use super::held::known;
+use super::interval::Interval;
+use super::load::cells;
+use super::polynomial::{Polynomial, TERMS, number};
+use super::reference::{Datum, OUTWARDS};
+use super::span::{Curve, Span};
+use super::springs::cubic;
+
+/// A part of the beam between contacts, with the first coefficients of its deflection `v(from + s)`, in dimensionless numbers.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Hung {
+    pub(crate) from: f64,
+    pub(crate) to: f64,
+    pub(crate) deflection: Vec<f64>,
+}
+
+/// So many coefficients are used: what they cause is a polynomial, too.
+pub(crate) const MOST_TERMS: usize = TERMS;
+
+/// The parts of a span, each with its deflection about its left end.
+pub(super) type Parts = Rc<[([f64; 2], Polynomial)]>;
+
+/// The polynomial that is given between two places; zero where there is none.
+fn given(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2]) -> Polynomial {
+    let middle = 0.5 * (from + to);
+    let next = enclosed.hung.partition_point(|part| part.to <= middle);
+    let Some(part) = enclosed.hung.get(next).filter(|part| part.from <= middle) else { return Polynomial::ZERO };
+    let coefficients = part.deflection.iter().take(MOST_TERMS).map(|c| Interval::exact(*c));
+    Polynomial::of(coefficients).shifted(Interval::length(part.from, from))
+}
+
+/// Deflection and slope of a polynomial at a place, as numbers.
+fn numbers(of: &Polynomial, s: Interval) -> [Interval; 2] {
+    [of.at(s), of.derivative().at(s)].map(|value| Interval::exact(value.middle()))
+}
+
+/// What holds a beam under tension as a string: `½∫ N w'²` is less than the gap as well, and with a place `y` where `|w| ≤ ε`
+///
+/// ```text
+/// |w(x)| ≤ ε + √(2 gap |x − y|/N)
+/// ```
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Taut {
+    places: Vec<Datum>,
+    /// At least `√(3 EI/N)`.
+    lever: f64,
+}
+
+impl Taut {
+    /// Of the places that carry a beam, of which a share is taken.
+    pub(super) fn of(enclosed: &EnclosedScene<'_>, carriers: Vec<Datum>, gap: f64, share: Interval) -> Self {
+        /// The price of a bound is in proportion.
+        const MOST: usize = 64;
+        if enclosed.tension <= 0.0 {
+            return Self::default();
+        }
+        let supports = enclosed.supports.iter().map(|support| Datum::at(support.x));
+        let pressing = carriers.into_iter().filter_map(|place| known(place, gap, share));
+        let places = supports.chain(pressing).take(MOST).collect();
+        let lever = (number(3) * Interval::exact(enclosed.stiffness) / Interval::exact(enclosed.tension)).sqrt().hi();
+        Self { places, lever }
+    }
+
+    /// At most `|w|` on a part of the beam, from `√(2 gap/3 EI)`.
+    pub(super) fn on_part(&self, factor: f64, [a, b]: [f64; 2]) -> f64 {
+        let bound = |place: &Datum| {
+            let far = (b - place.from).max(place.to - a).max(0.0);
+            (factor * self.lever * far.sqrt() + place.uncertainty) * OUTWARDS
+        };
+        self.places.iter().map(bound).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Where they are.
+    pub(super) fn places(&self) -> impl Iterator<Item = f64> {
+        self.places.iter().flat_map(|place| [place.from, place.to])
+    }
+}
+
+impl Span {
+    /// The beam between two places with `[v, v']` at those that are no free end, by what is given of it.
+    pub(super) fn under_tension(
+        enclosed: &EnclosedScene<'_>,
+        [from, to]: [f64; 2],
+        ends: [Option<[Interval; 2]>; 2],
+        loaded: [Interval; 2],
+    ) -> Self {
+        let inside = |x: &f64| from < *x && *x < to;
+        let mut places = enclosed.breaks(from, to);
+        places.extend(enclosed.hung.iter().flat_map(|part| [part.from, part.to]).filter(inside));
+        let cells = cells(from, to, places);
+        let given: Vec<Polynomial> = cells.iter().map(|cell| given(enclosed, *cell)).collect();
+        let width = |cell: &[f64; 2]| Interval::length(cell[0], cell[1]);
+        let (mut parts, mut kinks): (Vec<([f64; 2], Polynomial)>, Vec<(f64, Interval)>) = (Vec::new(), Vec::new());
+        let mut start = ends[0].unwrap_or_else(|| numbers(&given[0], Interval::ZERO));
+        for (i, (cell, t)) in cells.iter().zip(&given).enumerate() {
+            let own = numbers(t, width(cell));
+            let beyond = match given.get(i + 1) {
+                Some(next) if enclosed.is_joint(cell[1]) => [own[0], numbers(next, Interval::ZERO)[1]],
+                Some(_) => own,
+                None => ends[1].unwrap_or(own),
+            };
+            let end = if enclosed.is_joint(cell[1]) { [beyond[0], own[1]] } else { beyond };
+            kinks.extend(enclosed.is_joint(cell[1]).then_some((cell[1], beyond[1] - end[1])));
+            parts.push((*cell, t.plus(&cubic([start, end], t, width(cell), None))));
+            start = beyond;
+        }
+        Self::of_parts(enclosed, parts.into(), kinks, loaded, ends.map(|end| end.is_none()))
+    }
+
+    /// The span of these parts, of which an end may be free.
+    fn of_parts(
+        enclosed: &EnclosedScene<'_>,
+        parts: Parts,
+        kinks: Vec<(f64, Interval)>,
+        loaded: [Interval; 2],
+        free: [bool; 2],
+    ) -> Self {
+        let (first, last) = (&parts[0], &parts[parts.len() - 1]);
+        let [from, to] = [first.0[0], last.0[1]];
+        let length = Interval::length(from, to);
+        let jet = |part: &([f64; 2], Polynomial), s: Interval| {
+            let [v1, v2] = [part.1.derivative(), part.1.derivative().derivative()];
+            [part.1.at(s), v1.at(s), v2.at(s), v2.derivative().at(s)]
+        };
+        let [mut start, mut end] = [jet(first, Interval::ZERO), jet(last, Interval::length(last.0[0], to))];
+        let pulled = Interval::exact(enclosed.tension) * (end[0] - start[0]);
+        let (load, [b, a]) = (enclosed.load, loaded.map(|mean| mean * length));
+        // At a free end moment and vertical force are what acts there.
+        if free[1] {
+            let moment = pulled - load.couple(to) - a - load.point(to) * length;
+            start[2] = -(moment / enclosed.stiffness_beside(from, false));
+            end[2] = load.couple(to) / enclosed.stiffness_beside(to, true);
+        } else if free[0] {
+            let moment = load.couple(from) - load.point(from) * length - pulled - b;
+            start[2] = -(load.couple(from) / enclosed.stiffness_beside(from, false));
+            end[2] = -(moment / enclosed.stiffness_beside(to, true));
+        }
+        Self { from, to, start, end, loaded, flexible: None, kinks, hung: Some(parts) }
+    }
+
+    /// An overhang turned about the one place that carries a beam.
+    fn turned(&self, enclosed: &EnclosedScene<'_>, about: f64, angle: Interval) -> Option<Self> {
+        let parts = self.hung.as_ref()?.iter().map(|([from, to], v)| {
+            let turn = Polynomial::new(&[angle * Interval::length(about, *from), angle]);
+            ([*from, *to], v.plus(&turn))
+        });
+        let free = [self.from < about, about < self.to];
+        Some(Self::of_parts(enclosed, parts.collect(), self.kinks.clone(), self.loaded, free))
+    }
+
+    /// At least `½∫ r²/EI + Σ (k [v̂'] + M)²/2k` of parts, from the moments at the two ends of the span and the vertical force at the left one.
+    pub(super) fn work_under_tension(
+        &self,
+        enclosed: &EnclosedScene<'_>,
+        parts: &Parts,
+        moments: [Interval; 2],
+        force: Interval,
+    ) -> Interval {
+        let (load, tension) = (enclosed.load, Interval::exact(enclosed.tension));
+        let mut sum = Interval::ZERO;
+        // From one place where the load changes to the next one: it, its shear force and moment there, and `∬q` beyond.
+        let mut breaks = load.breaks(self.from, self.to).into_iter().peekable();
+        let at = |x: f64, to: f64| Polynomial::new(&load.line(x, [x, to])).integral().integral();
+        let next =
+            |breaks: &mut std::iter::Peekable<std::vec::IntoIter<f64>>| breaks.peek().copied().unwrap_or(self.to);
+        let (mut origin, mut moment, mut shear) = (self.from, moments[0], force);
+        let mut caused = at(origin, next(&mut breaks));
+        for ([from, to], v) in parts.iter() {
+            let width = Interval::length(*from, *to);
+            let line = Polynomial::new(&[moment, shear]).minus(&caused).shifted(Interval::length(origin, *from));
+            let risen = v.minus(&Polynomial::new(&[self.start[0]])).times(tension);
+            let stiffness = Interval::exact(enclosed.stiffness_between([*from, *to]));
+            let bent = line.minus(&risen);
+            let rest = v.derivative().derivative().times(stiffness).plus(&bent);
+            sum = sum + rest.integral_of_product(&rest, width).not_negative() / (number(2) * stiffness);
+            for &(x, k) in enclosed.joints.iter().filter(|joint| joint.0.total_cmp(to).is_eq()) {
+                let kink = self.kinks.iter().filter(|kink| kink.0.total_cmp(&x).is_eq());
+                let turned = kink.fold(Interval::ZERO, |sum, kink| sum + kink.1) * Interval::exact(k);
+                let here = if x.total_cmp(&self.to).is_eq() { moments[1] } else { bent.at(width) };
+                sum = sum + (turned + here).square() / (number(2) * Interval::exact(k));
+            }
+            if breaks.next_if(|x| x.total_cmp(to).is_eq()).is_some() {
+                let there = Polynomial::new(&[moment, shear]).minus(&caused).shifted(Interval::length(origin, *to));
+                let [m, v] = [0, 1].map(|k| there.coefficients().get(k).copied().unwrap_or(Interval::ZERO));
+                (origin, moment, shear) = (*to, m + load.couple(*to), v - load.point(*to));
+                caused = at(origin, next(&mut breaks));
+            }
+        }
+        sum
+    }
+
+    /// Lifts the parts beside contacts, each for itself, as far as it has to be: over a whole span the axial force would make much of what is
+    /// a rounding of `h''` at a contact. At least the root of what it costs.
+    pub(super) fn lift_beside(
+        &self,
+        enclosed: &EnclosedScene<'_>,
+        curves: &mut [Curve],
+        nodes: [Option<&ContactNode>; 2],
+    ) -> Option<Interval> {
+        let mut cost = Interval::ZERO;
+        if self.hung.is_none() || curves.len() < 2 {
+            return Some(cost);
+        }
+        for (i, ends) in [(0, [nodes[0], None]), (curves.len() - 1, [None, nodes[1]])] {
+            if ends == [None; 2] {
+                continue;
+            }
+            let [from, to] = curves[i].0;
+            let (part, width) = (Self { from, to, ..self.clone() }, Interval::length(from, to));
+            let lift = clearance::lift(enclosed, &part, &curves[i..=i], ends)?;
+            let bent = lift.derivative().derivative();
+            let bent = bent.integral_of_product(&bent, width).not_negative() * Interval::exact(enclosed.stiffest);
+            cost = cost + enclosed.lifted(bent, &lift, width).sqrt();
+            let [left, right] = curves[i].1;
+            curves[i].1 = [left.minus(&lift), right.minus(&lift.shifted(width))];
+        }
+        Some(cost)
+    }
+
+    /// Its deflection by parts, each about both of its ends, with `breaks` among these.
+    pub(super) fn curves_of(&self, parts: &Parts, breaks: Vec<f64>) -> Vec<Curve> {
+        let places = parts.iter().map(|part| part.0[0]).chain(breaks).collect();
+        let curve = |cell: [f64; 2]| {
+            let part = parts.partition_point(|part| part.0[1] <= cell[0]).min(parts.len() - 1);
+            let about = |x: f64| parts[part].1.shifted(Interval::length(parts[part].0[0], x));
+            (cell, cell.map(about))
+        };
+        cells(self.from, self.to, places).into_iter().map(curve).collect()
+    }
+}
+
+impl EnclosedScene<'_> {
+    /// Whether one place carries a beam under tension, which turns there until its moments are balanced.
+    pub(super) fn hangs_on(&self, nodes: &[ContactNode]) -> bool {
+        let is_free = |node: &ContactNode| matches!(node.slope, Slope::Free(_));
+        let is_held = |node: &ContactNode| self.support(node.x).is_some_and(|support| support.slope.is_some());
+        0.0 < self.tension && matches!(nodes, [node] if is_free(node) && !is_held(node))
+    }
+
+    /// The overhangs of such a beam, turned by `ε`, so that the moments beside the place are balanced: `N ε l` of them was off.
+    pub(super) fn balanced(&self, nodes: &[ContactNode], spans: Vec<Option<Span>>) -> Vec<Option<Span>> {
+        let [node] = nodes else { return spans };
+        if !self.hangs_on(nodes) {
+            return spans;
+        }
+        let moment = |side: usize| {
+            let curvature = spans[side].as_ref().map_or(Interval::ZERO, |span| [span.end, span.start][side][2]);
+            -(self.stiffness_beside(node.x, side == 0) * curvature)
+        };
+        let jump = moment(1) - moment(0) - self.load.couple(node.x);
+        let angle = -(jump / (Interval::exact(self.tension) * Interval::exact(self.length)));
+        spans.iter().map(|span| span.as_ref()?.turned(self, node.x, angle)).collect()
+    }
+
+    /// The vertical force `H` of a beam that follows the ground, just beside a place.
+    pub(super) fn force_along(&self, x: f64, left: bool) -> Interval {
+        let (jet, stiffness) = (self.gap.jet(x, left), self.stiffness_beside(x, left));
+        let shear = -(stiffness * jet[3]);
+        if self.tension == 0.0 { shear } else { shear + Interval::exact(self.tension) * jet[1] }
+    }
+
+    /// `ρ²` of a lift of a span, from `∫ EI φ''²`: the axial force acts on it as well.
+    pub(super) fn lifted(&self, bent: Interval, lift: &Polynomial, length: Interval) -> Interval {
+        if self.tension == 0.0 {
+            return bent;
+        }
+        let square = lift.integral_of_product(lift, length).not_negative() / Interval::exact(self.stiffness);
+        (bent.sqrt() + Interval::exact(self.tension.abs()) * square.sqrt()).square()
+    }
+
+    /// At most `α`; not positive where that is not known.
+    pub(crate) fn steadiness(&self) -> f64 {
+        if 0.0 <= self.tension {
+            return 1.0;
+        }
+        let (stiffness, half_turn) = (Interval::exact(self.stiffness), Interval::TAU / number(2));
+        let clear = |[from, to]: [f64; 2]| !self.joints.iter().any(|joint| from <= joint.0 && joint.0 <= to);
+        let supports = self.supports;
+        let between = supports.windows(2).map(|two| {
+            let (a, b) = (two[0].x, two[1].x);
+            let inside = self.joints.iter().filter(|joint| a < joint.0 && joint.0 < b);
+            let soft = inside.map(|&(x, k)| {
+                Interval::length(a, x) * Interval::length(x, b) / (Interval::length(a, b) * Interval::exact(k))
+            });
+            soft.fold((Interval::length(a, b) / half_turn).square() / stiffness, |sum, one| sum + one)
+        });
+        // Beyond the outermost supports, from where the slope vanishes at the farthest.
+        let far = |end: f64, support: usize, next: Option<usize>| {
+            let (x, is_fixed) = (supports[support].x, supports[support].slope.is_some());
+            let from = if is_fixed { Some(x) } else { next.map(|next| supports[next].x) };
+            match from {
+                _ if x.total_cmp(&end).is_eq() => Interval::ZERO,
+                Some(from) if clear([from.min(end), from.max(end)]) => {
+                    (number(2) * Interval::length(from, end) / half_turn).square() / stiffness
+                }
+                _ => Interval::WHOLE,
+            }
+        };
+        let Some(last) = supports.len().checked_sub(1) else { return 0.0 };
+        let beyond = [far(0.0, 0, (0 < last).then_some(1)), far(self.length, last, last.checked_sub(1))];
+        let most = between.chain(beyond).fold(0.0_f64, |most, one| most.max(one.hi()));
+        let share = Interval::exact(-self.tension) * Interval::exact(most * OUTWARDS);
+        if 1 < supports.len() || supports[0].slope.is_some() { (number(1) - share).lo() } else { 0.0 }
+    }
+}

@@ -1,0 +1,234 @@
+//! A beam under an axial force `N`, tension positive: one part of it, and the compression at which it buckles.
+//!
+//! ```text
+//! EI v'''' − N v'' = q,    H = V + N v'            the vertical force; reactions are its jumps
+//! φ_a = (ℓ/EI)(s₁ M_a + s₂ M_b),    z = N ℓ²/EI = u²        turns of the ends of a part from its chord, by moments there
+//! s₁ = (u coth u − 1)/u²,    s₂ = (1 − u/sinh u)/u²
+//! ```
+//!
+//! Both are quotients of series in `z` with positive coefficients, the denominator `S = sinh u/u`: nothing cancels for a small force, and
+//! compression only changes the sign of `z`.
+
+use super::written::{rounded, shown};
+use super::{Beam, SceneError};
+
+/// Where the parts of a beam end at the latest: `|N| ℓ²/EI ≤ ¾` leaves the first term that is left out of each series below the rounding of
+/// its sum.
+pub(crate) const LONGEST: f64 = 0.8;
+
+/// Terms of each series: `z^TERMS/(2·TERMS + 1)!` is below 10⁻¹⁸ for `|z| ≤ 0.64`.
+const TERMS: u32 = 9;
+
+/// `s₁`, `s₂` and `1/S` of a part with this `z`.
+pub(crate) fn turns(z: f64) -> [f64; 3] {
+    // p = z^n/(2n + 1)!
+    let (mut sine, mut near, mut far, mut p) = (0.0, 0.0, 0.0, 1.0);
+    for n in (0..TERMS).map(|n| 2.0 * f64::from(n)) {
+        let next = p / ((n + 2.0) * (n + 3.0));
+        sine += p;
+        near += next * (n + 2.0);
+        far += next;
+        p = next * z;
+    }
+    [near / sine, far / sine, 1.0 / sine]
+}
+
+/// `EI/ℓ²` times the deflection of a part at the shares `σ` and `ρ = 1 − σ` of its length from its two ends, if a moment of one acts at the
+/// first: how a load there turns that end.
+///
+/// ```text
+/// ρ (S(z) − S(z ρ²))/(z S(z))
+/// ```
+pub(crate) fn bow(z: f64, [sigma, rho]: [f64; 2]) -> f64 {
+    let (square, mut power) = (rho * rho, 1.0);
+    let (mut sine, mut sum, mut p) = (0.0, 0.0, 1.0);
+    // 1 − ρ^2n by its sum, which does not cancel near the end.
+    let mut fall = 0.0;
+    for n in (0..TERMS).map(|n| 2.0 * f64::from(n)) {
+        let next = p / ((n + 2.0) * (n + 3.0));
+        fall += power;
+        power *= square;
+        sine += p;
+        sum += next * fall;
+        p = next * z;
+    }
+    rho * sigma * (1.0 + rho) * sum / sine
+}
+
+/// Why a beam does not bear its compression.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum Unstable {
+    /// It is not held.
+    #[error(
+        "`beam.tension` is {}: compression needs a beam that its supports hold, by two of them or a built-in one, and that no hinge leaves \
+         free to move",
+        shown(*tension)
+    )]
+    Unheld {
+        /// The axial force \[force\].
+        tension: f64,
+    },
+    /// It has no position of rest but by chance.
+    #[error("`beam.tension` is {}: the beam buckles at {} before it touches", shown(*tension), rounded(*at))]
+    Buckles {
+        /// The axial force \[force\].
+        tension: f64,
+        /// At which it buckles \[force\].
+        at: f64,
+    },
+}
+
+impl Unstable {
+    /// With another unit of force.
+    pub(super) fn times(self, unit: f64) -> Self {
+        match self {
+            Self::Unheld { tension } => Self::Unheld { tension: tension * unit },
+            Self::Buckles { tension, at } => Self::Buckles { tension: tension * unit, at: at * unit },
+        }
+    }
+}
+
+/// A part of a beam between two places of what holds or changes it.
+struct Part {
+    length: f64,
+    stiffness: f64,
+}
+
+impl Beam {
+    /// The axial force `N` below which the beam buckles on the supports that hold it, as if nothing else did; not positive, and to 12 digits
+    /// \[force\].
+    ///
+    /// Elimination of deflections and moments along the beam ([`turns`]) has one negative pivot for each moment as long as its stiffness is
+    /// positive definite (Sylvester's law of inertia), and more beyond that.
+    pub(super) fn buckles_at(&self) -> f64 {
+        /// Halvings of the exponent, and of the number.
+        const STEPS: u32 = 48;
+        let (mut safe, mut buckled) = (0.0, self.bending_stiffness() / (self.length() * self.length()));
+        while self.is_stable(-buckled) && buckled.is_finite() {
+            (safe, buckled) = (buckled, 2.0 * buckled);
+        }
+        for _ in 0..STEPS {
+            let middle = 0.5 * (safe + buckled);
+            if self.is_stable(-middle) { safe = middle } else { buckled = middle }
+        }
+        -buckled
+    }
+
+    /// Whether the beam is stable under a compression, on the supports that hold it.
+    pub(super) fn is_stable(&self, tension: f64) -> bool {
+        let built_in = self.supports().iter().filter(|s| s.slope.is_some()).map(|s| s.at);
+        let mut from = 0.0;
+        // Nothing passes a place where the beam is built in.
+        built_in.chain([self.length()]).all(|to| {
+            let stable = to <= from || self.is_stable_between([from, to], tension);
+            from = to;
+            stable
+        })
+    }
+
+    fn is_stable_between(&self, [from, to]: [f64; 2], tension: f64) -> bool {
+        let mut places: Vec<f64> = self.supports().iter().map(|s| s.at).chain(self.changes()).collect();
+        places.extend(self.joints().iter().map(|joint| joint.at));
+        places.retain(|x| from < *x && *x < to);
+        places.extend([from, to]);
+        places.sort_by(f64::total_cmp);
+        places.dedup();
+        let mut chain = Elimination::default();
+        for ends in places.windows(2) {
+            let stiffness = self.stiffness_between(ends[0], ends[1]);
+            let whole = ends[1] - ends[0];
+            let parts = parts_of(whole, tension, stiffness);
+            for i in 0..parts {
+                let part = Part { length: whole / f64::from(parts), stiffness };
+                let [held, free] = if i == 0 { self.fixed_at(ends[0]) } else { [0.0; 2] };
+                chain.node(held, free, Some(&part), tension);
+            }
+        }
+        let [held, free] = self.fixed_at(to);
+        chain.node(held, free, None, tension);
+        chain.negative <= chain.nodes
+    }
+
+    /// What holds the deflection at a place, and what makes its moment vanish or lets the beam turn.
+    fn fixed_at(&self, x: f64) -> [f64; 2] {
+        /// As good as rigid beside anything of the order of one.
+        const RIGID: f64 = f64::from_bits(0x52b0_0000_0000_0000);
+        let here = |at: f64| at.total_cmp(&x).is_eq();
+        let support = self.supports().iter().find(|support| here(support.at));
+        let is_end = (x <= 0.0 || self.length() <= x) && support.is_none_or(|support| support.slope.is_none());
+        let turning = self
+            .joints()
+            .iter()
+            .find(|joint| here(joint.at))
+            .map_or(0.0, |joint| joint.stiffness.map_or(RIGID, f64::recip));
+        [if support.is_some() { RIGID } else { 0.0 }, if is_end { RIGID } else { turning }]
+    }
+}
+
+/// Into how many parts a stretch is cut, so that none is longer than [`LONGEST`].
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "limited just before")]
+fn parts_of(length: f64, tension: f64, stiffness: f64) -> u32 {
+    const MOST: f64 = 1e6;
+    (length * (tension.abs() / stiffness).sqrt() / LONGEST).ceil().clamp(1.0, MOST) as u32
+}
+
+/// The elimination of `crate::qp::blocks` under an axial force, of which only the signs of pivots are kept.
+#[derive(Default)]
+struct Elimination {
+    b: f64,
+    e: f64,
+    g: f64,
+    nodes: u32,
+    negative: u32,
+}
+
+impl Elimination {
+    /// A node with what is to its right.
+    fn node(&mut self, held: f64, free: f64, part: Option<&Part>, tension: f64) {
+        let [c, n, w, off, left] = part.map_or([0.0; 5], |part| law(part.length, part.stiffness, tension));
+        let (b, g) = (self.b + held, self.g + free + w);
+        let (a, h) = (b + n, c + self.e);
+        let d = a * g + h * h;
+        self.nodes += 1;
+        self.negative += if 0.0 < d { 1 } else { 2 * u32::from(a < 0.0) };
+        let e = self.e;
+        self.b = (b * (c * c + n * g) + n * e * e) / d;
+        self.e = (b * c * (g + off) + e * (c * e + left)) / d;
+        self.g = w + (c * c * g + off * (c * h + c * e + left) - b * off * off) / d;
+    }
+}
+
+/// `1/ℓ`, `N/ℓ`, `ℓ s₁/EI`, `ℓ s₂/EI` and `1/(ℓ² S)` of a part.
+pub(crate) fn law(length: f64, stiffness: f64, tension: f64) -> [f64; 5] {
+    let flexibility = length / stiffness;
+    let [near, far, fall] = turns(tension * length * flexibility);
+    [1.0 / length, tension / length, flexibility * near, flexibility * far, fall / (length * length)]
+}
+
+impl Beam {
+    /// The same beam under an axial force `N`, tension positive \[force\].
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::NotFinite`].
+    pub fn with_tension(self, tension: f64) -> Result<Self, SceneError> {
+        let tension = super::error::finite(super::Quantity::Tension, tension)?;
+        Ok(self.tensioned(tension))
+    }
+
+    /// Whether it bears its axial force.
+    ///
+    /// # Errors
+    ///
+    /// Compression of a beam that its supports do not hold, or that buckles under it.
+    pub(super) fn check_compression(&self) -> Result<(), Unstable> {
+        let tension = self.tension();
+        if 0.0 <= tension {
+            return Ok(());
+        }
+        if !self.is_held() || self.is_mechanism(self.holding()) {
+            return Err(Unstable::Unheld { tension });
+        }
+        if self.is_stable(tension) { Ok(()) } else { Err(Unstable::Buckles { tension, at: self.buckles_at() }) }
+    }
+}
