@@ -43,8 +43,7 @@ fn nonneg(p: &[Q], l: &Q) -> bool {
     halves(form, 60)
 }
 fn halves(mut form: Poly, left: usize) -> bool {
-    if form.iter().all(|b| *b >= Q::ZERO) { return true; }
-    if left == 0 || form[0].clone().min(form[form.len() - 1].clone()) < Q::ZERO { return false; }
+    if form.iter().all(|b| *b >= Q::ZERO) { return true; } else if left == 0 || form[0].clone().min(form[form.len() - 1].clone()) < Q::ZERO { return false; }
     let (mut first, two) = (vec![form[0].clone()], Q::from(2));
     for j in (1..form.len()).rev() { for k in 0..j { form[k] = (&form[k] + &form[k + 1]) / &two; } first.push(form[0].clone()); }
     halves(first, left - 1) && halves(form, left - 1)
@@ -66,8 +65,7 @@ fn or_zero(t: &Json, key: &str) -> Result<Q> { t.get(key).map_or(Ok(Q::ZERO), nu
 fn list(v: &Json) -> &[Json] { v.as_array().map_or(&[], Vec::as_slice) }
 fn sums(all: &Json, what: &str) -> Result<BTreeMap<Q, Q>> {
     let mut sums = BTreeMap::new();
-    for one in list(all) { *sums.entry(number(&one["at"])?).or_insert(Q::ZERO) += or_zero(one, what)?; }
-    Ok(sums)
+    for one in list(all) { *sums.entry(number(&one["at"])?).or_insert(Q::ZERO) += or_zero(one, what)?; } Ok(sums)
 }
 fn profile(t: &Json, l: &Q, file: &dyn Fn(&str) -> Result<String>) -> Result<Profile> {
     let numbers = |v: &Json| list(v).iter().map(number).collect::<Result<Poly>>();
@@ -212,12 +210,14 @@ fn across(s: &Scene, beside: [Option<&Cell>; 2]) -> Result<[Q; 2]> {
         let [spring, turning] = ["stiffness", "turning_stiffness"].map(|key| t.get(key).map(positive).transpose());
         let (pushes, built_in, turning) = (t["pushes_only"] == true, t["built_in"] == true, turning?);
         match &spring? {
-            Some(_) if pushes && !depths.is_empty() => return wrong("ground and a spring share the force"),
-            Some(k) => { if !pushes || *v > level { up += half(k * (v - &level).sqr()); } low -= half(force.sqr() / k); }
-            None if pushes && *v > level => return wrong("the beam is below the support"),
-            None => if !pushes && *v != level { return wrong("the support is not kept to"); }
+            Some(k) => { // The ground beside a spring takes what is more than the spring has at its depth.
+                let own = depths.iter().map(|g| k * (g - &level)).chain([force.clone()]).min().ok_or("no force")?;
+                let own = if pushes { own.max(Q::ZERO) } else { own };
+                if !pushes || *v > level { up += half(k * (v - &level).sqr()); }
+                (low, force) = (low - half(own.sqr() / k) - &own * level, force - own); }
+            None if pushes => if *v > level { return wrong("the beam is below the support"); } else { depths.push(level) },
+            None => if *v != level { return wrong("the support is not kept to"); } else { low -= std::mem::take(&mut force) * level; }
         }
-        if pushes { depths.push(level); } else { low -= std::mem::take(&mut force) * level; }
         if built_in && (*slope != phi || !turn.is_zero()) { return wrong("the slope is not kept to"); }
         if let Some(k) = &turning { up += half(k * (slope - &phi).sqr()); low -= half(couple.sqr() / k); }
         if built_in || turning.is_some() { low += std::mem::take(&mut couple) * phi; }

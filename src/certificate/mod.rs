@@ -129,10 +129,15 @@ impl Proof {
         scene.on_rigid_ground("a certificate from a list of contacts")?;
         let scaled = scene.scaled()?;
         let Scale { length, force, .. } = scaled.scale;
-        let said = scaled.scene.beam().springs().iter().enumerate().map(|(i, spring)| {
-            let touches = witness.iter().any(|c| c.from / length <= spring.at && spring.at <= c.to / length);
+        let said = scaled.scene.springs().enumerate().map(|(i, spring)| {
+            /// Nearer to the ground than this share of its depth, no rounding says whether the beam touches it.
+            const NEAR: f64 = 1e-9;
             let [pushed, turned] = springs.get(i).copied().unwrap_or_default();
-            (touches, [pushed / force, turned / scaled.scale.moment()])
+            let (pushed, gap) = (pushed / force, scaled.scene.gap(spring.at));
+            let sunk = spring.deflection + pushed / spring.stiffness;
+            let touches = witness.iter().any(|c| c.from / length <= spring.at && spring.at <= c.to / length);
+            let near = gap.is_finite() && gap - sunk <= NEAR * gap.abs().max(sunk.abs());
+            (touches || near, [pushed, turned / scaled.scale.moment()])
         });
         let said: Vec<_> = said.collect();
         let (pair, known) = with_springs(&scaled.scene, scaled.balance, &said, |enclosed| {
@@ -156,10 +161,8 @@ impl Proof {
     pub(crate) fn of_stretches_on(scene: &Scene, witness: &[Stretch], on: &[[f64; 2]]) -> Result<Self, SceneError> {
         let scaled = scene.scaled()?;
         let held = bearings::held(&scaled.scene, witness)?;
-        let said = |i: usize| {
-            let [force, couple] = on.get(i).copied().unwrap_or_default();
-            (false, [force / scaled.scale.force, couple / scaled.scale.moment()])
-        };
+        let units = [scaled.scale.force, scaled.scale.moment()];
+        let said = |i: usize| (false, on.get(i).map_or([0.0; 2], |on| [on[0] / units[0], on[1] / units[1]]));
         let said: Vec<_> = (0..held.beam().springs().len()).map(said).collect();
         let proven = with_springs(&held, scaled.balance, &said, |enclosed| {
             let cut = stretches::cut(enclosed, witness);

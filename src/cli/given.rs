@@ -61,10 +61,13 @@ fn supports(scene: &Scene, labels: &Labels) -> String {
         } else {
             format!(", level {}", labels.length.value(support.level))
         };
-        let slope =
-            support.slope.map_or_else(String::new, |slope| format!(", built in at slope {}", labels.number(slope)));
+        let slope = support.slope.map_or_else(String::new, |slope| match support.turning_stiffness {
+            None => format!(", built in at slope {}", labels.number(slope)),
+            Some(k) => format!(", turning stiffness {} from slope {}", labels.moment.value(k), labels.number(slope)),
+        });
+        let gives = support.stiffness.map_or_else(String::new, |k| format!(", stiffness {}", labels.density.value(k)));
         let pushes = if support.pushes_only { ", pushes only" } else { "" };
-        format!("at {}{level}{slope}{pushes}", labels.length.value(support.at))
+        format!("at {}{level}{gives}{slope}{pushes}", labels.length.value(support.at))
     };
     let all: Vec<String> = scene.beam().all_supports().iter().map(one).collect();
     few(&all)

@@ -117,7 +117,7 @@ fn cut(line: &[Place], limit: f64) -> (Vec<Vec<Place>>, Vec<[f64; 2]>) {
 /// beam is not tied to, and what gives is a spring.
 pub(super) fn support_marks(scene: &Scene) -> Layer {
     let (beam, supports) = (scene.beam(), scene.beam().all_supports());
-    let is_held = supports.iter().any(|support| support.slope.is_some());
+    let is_held = supports.iter().any(Support::is_built_in);
     let mark = |(i, support): (usize, &Support)| {
         let kind = match support.slope {
             _ if support.stiffness.is_some() => SupportKind::Spring(support.pushes_only),

@@ -5,11 +5,12 @@
 use dashu_ratio::RBig;
 
 use super::contact_nodes::{HoldingNode, Part};
+use super::equilibrium::{Chosen, Equilibrium, without_pull};
 use super::given::Given;
 use super::polynomial::{
     Polynomial, at, between, derivative, exactly, is_nowhere_negative, jet, magnitude, plus, product, shifted, short,
 };
-use super::span::{Curve, bends, width};
+use super::span::{Span, width};
 use super::{Cell, Fields, Unproven};
 
 /// What `size` is lifted by, from the share of rounding to some times itself, in powers of two: coarse steps first.
@@ -33,12 +34,14 @@ fn cell(ends: [f64; 2], deflection: Polynomial, moment: Polynomial, pressed: boo
     Cell { ends: ends.map(exactly), deflection, moment, pressed }
 }
 
-/// Nodes with all that is known of spans and moments.
+/// Nodes with all that is known of spans and moments, `T = M + N v`.
 struct Assembly<'a> {
     given: &'a Given,
     nodes: &'a [HoldingNode],
-    spans: Vec<Option<Curve>>,
+    spans: &'a [Option<Span>],
     moments: Vec<[RBig; 2]>,
+    /// `T` on the parts of each span.
+    hanging: Vec<Vec<Polynomial>>,
 }
 
 impl Given {
@@ -48,12 +51,17 @@ impl Given {
     ///
     /// What is not admissible, as [`Unproven`] has it.
     pub(super) fn assembled(&self, nodes: &[HoldingNode]) -> Result<Fields, Unproven> {
-        let spans = (0..=nodes.len()).map(|i| self.hanging(nodes, i)).collect::<Result<Vec<_>, _>>()?;
-        let mut assembly = Assembly { given: self, nodes, spans, moments: Vec::new() };
-        assembly.moments = (0..nodes.len()).map(|i| assembly.moments_at(i)).collect::<Result<_, _>>()?;
+        let spans = (0..=nodes.len()).map(|i| self.span(nodes, i)).collect::<Result<Vec<_>, _>>()?;
+        let equilibrium = Equilibrium { given: self, nodes, spans: &spans };
+        let mut assembly = Assembly { given: self, nodes, spans: &spans, moments: Vec::new(), hanging: Vec::new() };
+        let near =
+            (0..nodes.len()).map(|i| assembly.moments_at(i, equilibrium.is_split(i))).collect::<Result<Vec<_>, _>>()?;
+        let chosen = equilibrium.corrected(Chosen { nodes: near, springs: equilibrium.springs() })?;
+        assembly.hanging = (0..spans.len()).map(|i| equilibrium.moments(i, &chosen).0).collect();
+        assembly.moments = chosen.nodes;
         let (mut cells, mut is_lifted) = (Vec::new(), false);
-        for i in 0..=nodes.len() {
-            if assembly.spans[i].is_some() {
+        for (i, span) in spans.iter().enumerate() {
+            if span.is_some() {
                 let (lifted, lift) = assembly.lifted(i, assembly.hanging_cells(i))?;
                 is_lifted |= lift;
                 cells.extend(lifted);
@@ -64,7 +72,11 @@ impl Given {
                 });
             }
         }
-        Ok(Fields { cells: self.in_equilibrium(cells)?, is_lifted })
+        let mut cells = self.in_equilibrium(cells)?;
+        for cell in &mut cells {
+            cell.moment = without_pull(&cell.moment, &self.tension, &cell.deflection);
+        }
+        Ok(Fields { cells, is_lifted })
     }
 
     /// The cells, if forces and couples between them are such as ground and supports exert. Where ground begins at a support in the
@@ -79,19 +91,22 @@ impl Given {
                 [before.as_ref().map(|(cell, l)| jet(of(cell), l)), right.map(|cell| jet(of(cell), &RBig::ZERO))]
             };
             if let [Some(v), Some(w)] = jets(|cell| &cell.deflection)
-                && v != w
+                && (v[0] != w[0] || v[1] != w[1] && self.joint(x).is_none())
             {
                 return Err(Unproven::Kink { at: x });
             }
-            let [m, n] = jets(|cell| &cell.moment).map(|m| m.unwrap_or([RBig::ZERO, RBig::ZERO]));
+            let ends = jets(|cell| &cell.deflection);
+            let pull = ends.into_iter().flatten().next().map_or(RBig::ZERO, |[v, _]| &self.tension * v);
+            let [m, n] = jets(|cell| &cell.moment).map(|m| m.unwrap_or_else(|| [pull.clone(), RBig::ZERO]));
             let [load, turn] = self.acting(x);
             let (force, couple) = (&n[1] - &m[1] + load, &n[0] - &m[0] - turn);
             let support = self.support(x);
-            let is_held = support.is_some_and(|s| !s.pushes_only);
+            let spring = self.elastic.iter().any(|spring| spring.x == x);
+            let is_held = spring || support.is_some_and(|s| !s.pushes_only);
             if !is_held && (force < RBig::ZERO || !force.is_zero() && self.depth(x).is_none()) {
                 return Err(Unproven::Tension { at: x });
             }
-            if !couple.is_zero() && support.is_none_or(|s| s.slope.is_none()) {
+            if !couple.is_zero() && self.turning(x).is_none() && support.is_none_or(|s| s.slope.is_none()) {
                 let on_left = RBig::ZERO < couple;
                 let Some(below) = support
                     .filter(|support| support.tangent[usize::from(!on_left)])
@@ -117,7 +132,8 @@ impl Given {
         /// Of the cell: far less than rounding.
         const LEAST: f64 = f64::EPSILON * f64::EPSILON;
         let width = &cell.ends[1] - &cell.ends[0];
-        let best = libm::sqrt((RBig::from(2) * below * &self.stiffness / magnitude(couple)).to_f64().value());
+        let stiffness = self.bending([0, 1].map(|end| cell.ends[end].to_f64().value()));
+        let best = libm::sqrt((RBig::from(2) * below * stiffness / magnitude(couple)).to_f64().value());
         exactly(best).max(&width * exactly(LEAST)).min(width / RBig::from(2))
     }
 }
@@ -139,56 +155,50 @@ fn beside(cell: &Cell, couple: RBig, arm: &RBig) -> [Cell; 2] {
 }
 
 impl Assembly<'_> {
-    /// `M` on both sides of node `i`, of what is beside it.
-    fn moments_at(&self, i: usize) -> Result<[RBig; 2], Unproven> {
+    /// `T` on both sides of node `i`, of what is beside it; split where something takes a couple.
+    fn moments_at(&self, i: usize, is_split: bool) -> Result<[RBig; 2], Unproven> {
         let (node, given) = (&self.nodes[i], self.given);
-        let x = node.x;
         let outside = [i == 0, i + 1 == self.nodes.len()];
-        let support = given.support(x);
-        let built_in = support.is_some_and(|s| s.slope.is_some());
         let mut own = node.pressed.as_ref().map_or([RBig::ZERO, RBig::ZERO], |end| end.moment.clone());
         for side in [0, 1] {
-            let bend = match &self.spans[i + side] {
-                Some(span) => bends(span)[1 - side].clone(),
-                None if outside[side] || node.pressed.is_some() => continue,
-                None => at(&second(&given.about(x, side == 0).ok_or(Unproven::Place { at: x })?), &RBig::ZERO),
+            own[side] = match &self.spans[i + side] {
+                Some(span) => short(&span.moments[1 - side]),
+                None if outside[side] || node.pressed.is_some() => own[side].clone(),
+                None => {
+                    let about = given.about(node.x, side == 0).ok_or(Unproven::Place { at: node.x })?;
+                    -given.bending_beside(node.x, side == 0) * at(&second(&about), &RBig::ZERO)
+                }
             };
-            own[side] = -&given.stiffness * bend;
+            let [level, _] = given.end(node, side)?;
+            own[side] += &given.tension * level;
         }
-        if built_in || support.is_some() && node.along.is_some() {
+        if is_split {
             return Ok(own);
         }
+        let [_, couple] = given.acting(node.x);
         let is_given = [0, 1].map(|side| outside[side] || self.spans[i + side].is_none());
-        let hangs_over = [0, 1].map(|side| outside[side] && self.spans[i + side].is_some());
-        let one = match (hangs_over, is_given) {
-            ([true, _], _) | ([false, false], [true, false]) => own[0].clone(),
-            ([_, true], _) | (_, [false, true]) => own[1].clone(),
-            (_, [true, true]) => return Ok(own),
-            _ => short(&((&own[0] + &own[1]) / RBig::from(2))),
+        let left = match is_given {
+            [true, false] => own[0].clone(),
+            [false, true] => &own[1] - &couple,
+            [true, true] if self.spans[i].is_none() && !outside[0] => own[0].clone(),
+            [true, true] => &own[1] - &couple,
+            [false, false] => short(&((&own[0] + &own[1] - &couple) / RBig::from(2))),
         };
-        Ok([one.clone(), one])
+        let right = &left + couple;
+        Ok([left, right])
     }
 
-    /// The cells of span `i`, in which `EI v'' + M` is linear.
+    /// The cells of span `i`.
     fn hanging_cells(&self, i: usize) -> Vec<Cell> {
         let Some(span) = &self.spans[i] else { return Vec::new() };
-        let stiffness = &self.given.stiffness;
-        let side =
-            |i: Option<usize>, side: usize| i.and_then(|i| self.moments.get(i)).map_or(RBig::ZERO, |m| m[side].clone());
-        let [start, end] = bends(span);
-        let misfit = [stiffness * start + side(i.checked_sub(1), 1), stiffness * end + side(Some(i), 0)];
-        let ends = [span[0].0[0], span[span.len() - 1].0[1]];
-        let slope = (&misfit[1] - &misfit[0]) / width(ends);
-        let of = |(part, v): &([f64; 2], Polynomial)| {
-            let from = &misfit[0] + &slope * width([ends[0], part[0]]);
-            cell(*part, v.clone(), plus(&[from, slope.clone()], &-stiffness, &second(v)), false)
-        };
-        span.iter().map(of).collect()
+        let of =
+            |((part, v), moment): (&([f64; 2], Polynomial), &Polynomial)| cell(*part, v.clone(), moment.clone(), false);
+        span.curve.iter().zip(&self.hanging[i]).map(of).collect()
     }
 
     /// A span less `α s^a (L − s)^b`, with the least `α` of some sizes that puts it above the ground.
     fn lifted(&self, i: usize, cells: Vec<Cell>) -> Result<(Vec<Cell>, bool), Unproven> {
-        let Some(span) = &self.spans[i] else { return Ok((cells, false)) };
+        let Some(Span { curve: span, .. }) = &self.spans[i] else { return Ok((cells, false)) };
         let given = self.given;
         let is_clear =
             |cells: &[Cell]| span.iter().zip(cells).all(|((part, _), c)| given.is_clear(*part, &c.deflection));
@@ -228,11 +238,13 @@ impl Assembly<'_> {
     }
 
     /// On ground that gives, a span whose ends may be below the surface by rounding: there they count as pressed, without a pressure.
-    fn touching(&self, span: &Curve, cells: &[Cell]) -> Option<Vec<Cell>> {
+    fn touching(&self, span: &[([f64; 2], Polynomial)], cells: &[Cell]) -> Option<Vec<Cell>> {
         /// Of the first and the last part of a span, in powers of two: from the shortest that a place of 64 bits can tell.
         const SHARES: [i32; 4] = [-40, -30, -20, -12];
         let given = self.given;
-        given.springs.as_ref()?;
+        if !given.is_on_soil() {
+            return None;
+        }
         let last = span.len() - 1;
         SHARES.into_iter().find_map(|share| {
             let inner = |i: usize| {
@@ -265,11 +277,12 @@ impl Assembly<'_> {
         let mut cells = Vec::new();
         for part in &parts {
             let (gap, l) = (given.gap(*part).ok_or(Unproven::Place { at: part[0] })?, width(*part));
-            let own: Polynomial = second(&gap).iter().map(|c| -&given.stiffness * c).collect();
+            let own: Polynomial = second(&gap).iter().map(|c| -given.bending(*part) * c).collect();
+            let own = without_pull(&own, &-&given.tension, &gap);
             let [mut above, mut more] = [(); 2].map(|()| [(); 2].map(|()| [RBig::ZERO, RBig::ZERO]));
             for (side, node) in nodes.iter().enumerate().filter(|(side, node)| node.x == part[*side]) {
                 let place = if side == 0 { RBig::ZERO } else { l.clone() };
-                let ([v, slope], [g, turn]) = (given.end(node)?, jet(&gap, &place));
+                let ([v, slope], [g, turn]) = (given.end(node, 1 - side)?, jet(&gap, &place));
                 above[side] = [v - g, slope - turn];
                 more[side][0] = &self.moments[i - 1 + side][1 - side] - at(&own, &place);
             }
@@ -298,8 +311,9 @@ impl Assembly<'_> {
     /// `M'` at node `i` of a part that is pressed into ground that gives, on the right of the node or on its left.
     fn shear(&self, i: usize, on_right: bool) -> RBig {
         let (node, load) = (&self.nodes[i], self.given.point_load(self.nodes[i].x));
+        let is_held = self.given.elastic.iter().any(|spring| spring.x == node.x);
         let own = |side: usize| node.pressed.as_ref().map_or(RBig::ZERO, |end| end.shear[side].clone());
-        if self.given.support(node.x).is_some() {
+        if is_held || self.given.support(node.x).is_some() {
             return own(usize::from(on_right));
         }
         // Nothing takes a force: on the right there is that of the left less the load.
@@ -326,8 +340,8 @@ impl Assembly<'_> {
         let (given, [a, b]) = (self.given, [&self.nodes[i - 1], &self.nodes[i]]);
         let part = [a.x, b.x];
         let (gap, l) = (given.gap(part).ok_or(Unproven::Place { at: a.x })?, width(part));
-        let k = given.springs.clone().unwrap_or(RBig::ZERO);
-        let ends = [given.end(a)?, given.end(b)?];
+        let k = given.soil(part);
+        let ends = [given.end(a, 1)?, given.end(b, 0)?];
         let below = [0, 1].map(|side| {
             let [g, turn] = jet(&gap, &if side == 0 { RBig::ZERO } else { l.clone() });
             [&ends[side][0] - g, &ends[side][1] - turn]

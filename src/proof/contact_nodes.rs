@@ -7,7 +7,7 @@ use dashu_ratio::RBig;
 use super::Unproven;
 use super::given::{Given, Support};
 use super::polynomial::{exactly, magnitude};
-use super::span::{Curve, bends, width};
+use super::span::{Hanging, Span};
 use crate::certificate::tridiagonal;
 use crate::state::Contact;
 use crate::theory::Exact;
@@ -29,7 +29,8 @@ pub(super) struct HoldingNode {
     pub(super) x: f64,
     /// The slope is that of the ground on its left side, if true, or on its right side; none where it is the beam's own.
     pub(super) along: Option<bool>,
-    pub(super) slope: RBig,
+    /// On its left and on its right, which differ at a joint only.
+    pub(super) slopes: [RBig; 2],
     pub(super) right: Part,
     /// Of ground that gives: `v`, and on its two sides `M` and `M'`. The slope is known.
     pub(super) pressed: Option<Box<PressedEnd>>,
@@ -45,7 +46,7 @@ pub(super) struct PressedEnd {
 
 impl HoldingNode {
     pub(super) fn new(x: f64, along: Option<bool>, right: Part) -> Self {
-        Self { x, along, slope: RBig::ZERO, right, pressed: None }
+        Self { x, along, slopes: [RBig::ZERO, RBig::ZERO], right, pressed: None }
     }
 
     pub(super) fn hangs(&self) -> bool {
@@ -62,16 +63,17 @@ impl Given {
         {
             nodes.push(HoldingNode::new(motion.about, None, Part::Span));
         }
-        let last = nodes.last().ok_or(Unproven::Turns { at: f64::NAN })?;
         let pair = nodes.windows(2).find(|pair| pair[1].x <= pair[0].x);
-        if let Some(wrong) = pair.map(|pair| &pair[1]).or(Some(last).filter(|last| !last.hangs())) {
+        if let Some(wrong) = pair.map(|pair| &pair[1]).or(nodes.last().filter(|last| !last.hangs())) {
             return Err(Unproven::Place { at: wrong.x });
         }
         if let ([node], Some(exact)) = (&mut nodes[..], exact)
-            && node.along.is_none()
-            && self.support(node.x).is_none_or(|s| s.slope.is_none())
+            && self.elastic.is_empty()
+            && self.turning(node.x).is_none()
+            && self.tension.is_zero()
+            && self.turns(node, 0)
         {
-            node.slope = exactly(exact.slope(node.x));
+            node.slopes = [(); 2].map(|()| exactly(exact.slope(node.x)));
             return Ok(nodes);
         }
         // At a support that is level with the ground the beam is not steeper than the ground.
@@ -111,72 +113,127 @@ impl Given {
     /// Whether the beam may turn where it touches: at an end, and where no side has the slope of the other.
     fn is_corner(&self, x: f64) -> bool {
         let [left, right] = [true, false].map(|left| self.side(x, left));
-        x <= 0.0 || self.length <= x || left != right || left.is_some_and(|[g, _]| Some(g) != self.depth(x))
+        self.joint(x).is_some()
+            || left.is_none() && right.is_none()
+            || x <= 0.0
+            || self.length <= x
+            || left != right
+            || left.is_some_and(|[g, _]| Some(g) != self.depth(x))
     }
 
-    fn turns(&self, node: &HoldingNode) -> bool {
-        node.along.is_none() && node.pressed.is_none() && self.support(node.x).is_none_or(|s| s.slope.is_none())
+    /// Whether the slope on a side of a node follows from the others.
+    fn turns(&self, node: &HoldingNode, side: usize) -> bool {
+        // At a joint the beam follows the ground on one side of it alone.
+        let follows = node.along.is_some_and(|left| self.joint(node.x).is_none() || left == (side == 0));
+        !follows && node.pressed.is_none() && self.support(node.x).is_none_or(|s| s.slope.is_none())
     }
 
-    /// `v` and `v'` at a node.
-    pub(super) fn end(&self, node: &HoldingNode) -> Result<[RBig; 2], Unproven> {
+    /// `v` and `v'` at a node, on its left or on its right.
+    pub(super) fn end(&self, node: &HoldingNode, side: usize) -> Result<[RBig; 2], Unproven> {
         let support = self.support(node.x);
         let given = support.map(|s| s.level.clone()).or(node.pressed.as_ref().map(|end| end.deflection.clone()));
         let level = given.or_else(|| self.depth(node.x)).ok_or(Unproven::Place { at: node.x })?;
         let built_in = support.and_then(|s| s.slope.clone());
-        let along = node.along.and_then(|left| self.side(node.x, left)).map(|[_, slope]| slope);
-        Ok([level, built_in.or(along).unwrap_or_else(|| node.slope.clone())])
+        let along = node.along.filter(|_| !self.turns(node, side));
+        let ground = along.and_then(|left| self.side(node.x, left)).map(|[_, slope]| slope);
+        Ok([level, built_in.or(ground).unwrap_or_else(|| node.slopes[side].clone())])
     }
 
-    /// The span on the left of node `i`; none where the beam is on the ground, and where there is no beam.
-    pub(super) fn hanging(&self, nodes: &[HoldingNode], i: usize) -> Result<Option<Curve>, Unproven> {
+    /// What hangs on the left of node `i`; none where the beam is on the ground, and where there is no beam.
+    fn hanging(&self, nodes: &[HoldingNode], i: usize) -> Option<Hanging<'_>> {
         let ends = [i.checked_sub(1).map(|i| &nodes[i]), nodes.get(i)];
         let places = [ends[0].map_or(0.0, |node| node.x), ends[1].map_or(self.length, |node| node.x)];
-        if places[1] <= places[0] || ends[0].is_some_and(|node| !node.hangs()) {
-            return Ok(None);
-        }
-        let [left, right] = ends.map(|node| node.map(|node| self.end(node)).transpose());
-        Ok(Some(self.span(places, [left?, right?])))
+        let hangs = places[0] < places[1] && ends[0].is_none_or(HoldingNode::hangs);
+        hangs.then(|| Hanging::new(self, places, ends.map(|node| node.is_none())))
     }
 
-    /// The slopes at which `v''` is the same on both sides: a system with three diagonals, whose right-hand side is what is left of
-    /// it without rounding.
+    /// The span on the left of node `i`, if there is one.
+    pub(super) fn span(&self, nodes: &[HoldingNode], i: usize) -> Result<Option<Span>, Unproven> {
+        let Some(hanging) = self.hanging(nodes, i) else { return Ok(None) };
+        let end = |node: Option<&HoldingNode>, side: usize| {
+            node.map_or(Ok([RBig::ZERO, RBig::ZERO]), |node| self.end(node, side))
+        };
+        let ends = [end(i.checked_sub(1).map(|i| &nodes[i]), 1)?, end(nodes.get(i), 0)?];
+        let at = nodes.get(i).or(nodes.last()).map_or(f64::NAN, |node| node.x);
+        hanging.span(&ends).map(Some).ok_or(Unproven::Turns { at })
+    }
+
+    /// The slopes at which moments balance at each node: a system with three diagonals, whose right-hand side is what is left of it without
+    /// rounding.
+    ///
+    /// ```text
+    /// M_right − M_left − C + k_t (ψ − φ) = 0;     at a joint  M_left = M_right = −k_j (ψ_right − ψ_left)
+    /// ```
     pub(super) fn turn(&self, nodes: &mut [HoldingNode]) -> Result<(), Unproven> {
         /// Each solve adds the digits of 64 bits to those that are right; a slope has no more.
         const SOLVES: usize = 2;
-        let free: Vec<bool> = nodes.iter().map(|node| self.turns(node)).collect();
+        let is_joint: Vec<bool> = nodes.iter().map(|node| self.joint(node.x).is_some()).collect();
+        // A joint has a row for each side.
+        let rows: Vec<(usize, usize)> =
+            (0..nodes.len()).flat_map(|i| (0..if is_joint[i] { 2 } else { 1 }).map(move |side| (i, side))).collect();
+        let row = |i: usize, side: usize| rows.partition_point(|row| *row < (i, if is_joint[i] { side } else { 0 }));
+        let free: Vec<bool> = rows.iter().map(|&(i, side)| self.turns(&nodes[i], side)).collect();
         if !free.contains(&true) {
             return Ok(());
         }
+        let stiffness = (0..=nodes.len())
+            .map(|i| self.hanging(nodes, i).map(|hanging| hanging.stiffness().ok_or(Unproven::Turns { at: f64::NAN })))
+            .map(Option::transpose)
+            .collect::<Result<Vec<_>, _>>()?;
         for _ in 0..SOLVES {
-            let mut rows: Vec<[f64; 4]> = free.iter().map(|free| [0.0, f64::from(u8::from(!free)), 0.0, 0.0]).collect();
-            let mut left = vec![RBig::ZERO; nodes.len()];
+            let mut system: Vec<[f64; 4]> = vec![[0.0; 4]; rows.len()];
+            let mut left = vec![RBig::ZERO; rows.len()];
             for i in 0..=nodes.len() {
-                let Some(curve) = self.hanging(nodes, i)? else { continue };
-                let both = 0 < i && i < nodes.len();
-                let l = if both { width([nodes[i - 1].x, nodes[i].x]).to_f64().value() } else { f64::INFINITY };
-                let ([start, end], stiff) = (bends(&curve), 2.0 / l);
-                if 0 < i && free[i - 1] {
-                    rows[i - 1][1] += 2.0 * stiff;
-                    rows[i - 1][2] += stiff;
-                    left[i - 1] += start;
+                let (Some(span), Some([a, b, c])) = (self.span(nodes, i)?, stiffness[i]) else { continue };
+                let at_ends = [i.checked_sub(1).map(|i| row(i, 1)), (i < nodes.len()).then(|| row(i, 0))];
+                if let Some(start) = at_ends[0] {
+                    (system[start][1], system[start][2]) = (system[start][1] + a, b);
+                    left[start] += &span.moments[0];
                 }
-                if i < nodes.len() && free[i] {
-                    rows[i][0] += stiff;
-                    rows[i][1] += 2.0 * stiff;
-                    left[i] -= end;
+                if let Some(end) = at_ends[1] {
+                    (system[end][1], system[end][0]) = (system[end][1] + c, b);
+                    left[end] -= &span.moments[1];
                 }
             }
-            if let Some(i) = rows.iter().position(|row| row[1] <= 0.0) {
-                return Err(Unproven::Turns { at: nodes[i].x });
+            for (i, node) in nodes.iter().enumerate() {
+                self.hold_turning(node, &mut system[row(i, 0)..=row(i, 1)], &mut left[row(i, 0)..=row(i, 1)]);
             }
-            rows.iter_mut().zip(left).for_each(|(row, left)| row[3] = left.to_f64().value());
-            let changes = tridiagonal(rows).ok_or(Unproven::Turns { at: nodes[0].x })?;
-            for (node, change) in nodes.iter_mut().zip(changes) {
-                node.slope = super::polynomial::short(&(&node.slope + exactly(change)));
+            let mut system: Vec<[f64; 4]> =
+                system.into_iter().zip(&left).map(|([l, d, r, _], m)| [l, d, r, -m.to_f64().value()]).collect();
+            for (k, is_free) in free.iter().enumerate() {
+                if !is_free {
+                    system[k] = [0.0, 1.0, 0.0, 0.0];
+                }
+            }
+            if let Some(k) = system.iter().position(|row| row[1] <= 0.0) {
+                return Err(Unproven::Turns { at: nodes[rows[k].0].x });
+            }
+            let changes = tridiagonal(system).ok_or(Unproven::Turns { at: nodes[0].x })?;
+            for (i, node) in nodes.iter_mut().enumerate() {
+                let changed =
+                    |side: usize| super::polynomial::short(&(&node.slopes[side] + exactly(changes[row(i, side)])));
+                node.slopes = [changed(0), changed(1)];
             }
         }
         Ok(())
+    }
+
+    /// What joint, couple and turning spring at a node add to its rows.
+    fn hold_turning(&self, node: &HoldingNode, rows: &mut [[f64; 4]], left: &mut [RBig]) {
+        if let ([first, second], [m0, m1], Some(stiffness)) = (&mut *rows, &mut *left, self.joint(node.x)) {
+            let Some(k) = stiffness else { return };
+            let moment = -k * (&node.slopes[1] - &node.slopes[0]);
+            let k = k.to_f64().value();
+            (first[1], first[2], second[1], second[0]) = (first[1] + k, -k, second[1] + k, -k);
+            (*m0, *m1) = (&*m0 + &moment, &*m1 - &moment);
+            return;
+        }
+        let [_, couple] = self.acting(node.x);
+        left[0] -= couple;
+        if let Some([k, rest]) = self.turning(node.x) {
+            rows[0][1] += k.to_f64().value();
+            left[0] += k * (&node.slopes[0] - rest);
+        }
     }
 
     /// Puts the beam along ground that begins at a support, where it would be steeper or as steep but for rounding. True if it does.
@@ -191,8 +248,9 @@ impl Given {
             for left in [true, false].into_iter().filter(|left| support.tangent[usize::from(!left)]) {
                 let node = &mut nodes[i];
                 let Some([_, ground]) = self.side(node.x, left) else { continue };
-                let steeper = if left { &ground - &node.slope } else { &node.slope - &ground };
-                if exactly(-ALIKE) * (magnitude(&ground) + magnitude(&node.slope)) <= steeper {
+                let slope = &node.slopes[usize::from(!left)];
+                let steeper = if left { &ground - slope } else { slope - &ground };
+                if exactly(-ALIKE) * (magnitude(&ground) + magnitude(slope)) <= steeper {
                     node.along = Some(left);
                     changed = true;
                 }

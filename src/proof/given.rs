@@ -6,7 +6,7 @@ use dashu_ratio::RBig;
 
 use super::Unproven;
 use super::polynomial::{Polynomial, exactly, is_nowhere_negative, jet, plus, shifted};
-use crate::scene::{Foundation, Profile as Of, Scene};
+use crate::scene::{Beam, Foundation, Profile as Of, Scene};
 
 /// Polynomials in `x`, each with the part of the beam that it is for.
 type Profile = Vec<([f64; 2], Polynomial)>;
@@ -15,9 +15,14 @@ type Profile = Vec<([f64; 2], Polynomial)>;
 #[derive(Debug)]
 pub(super) struct Given {
     pub(super) length: f64,
-    pub(super) stiffness: RBig,
-    /// `k` of ground that gives.
-    pub(super) springs: Option<RBig>,
+    /// `EI` from each place on.
+    bending: Vec<([f64; 2], RBig)>,
+    /// Joints, with their stiffness; a hinge has none.
+    pub(super) joints: Vec<(f64, Option<RBig>)>,
+    /// `N`, zero without tension.
+    pub(super) tension: RBig,
+    /// `k` of ground that gives, in parts; none on rigid ground.
+    soil: Vec<([f64; 2], RBig)>,
     loads: Profile,
     /// Point loads and couples.
     acting: Vec<(f64, [RBig; 2])>,
@@ -26,9 +31,11 @@ pub(super) struct Given {
     /// Single places that the beam may not be below: supports that only push, and the edge of a step at an end of the beam.
     alone: Vec<(f64, RBig)>,
     pub(super) supports: Vec<Support>,
-    /// All places at which a formula may change, from left to right; and those of them that are of loads.
+    /// Supports that give, of those that only push the ones that are pressed.
+    pub(super) elastic: Vec<Elastic>,
+    /// All places at which a formula may change, from left to right; and those of them at which that of a hanging beam does.
     breaks: Vec<f64>,
-    load_breaks: Vec<f64>,
+    hanging_breaks: Vec<f64>,
 }
 
 /// What a support asks.
@@ -36,10 +43,22 @@ pub(super) struct Given {
 pub(super) struct Support {
     pub(super) x: f64,
     pub(super) level: RBig,
+    /// The slope that it holds.
     pub(super) slope: Option<RBig>,
+    /// A spring against turning, `k_t` and `φ`.
+    pub(super) turning: Option<[RBig; 2]>,
     /// Whether the ground on its left and on its right begins at its level, and in its direction.
     pub(super) tangent: [bool; 2],
     pub(super) pushes_only: bool,
+}
+
+/// A support that gives: `R = k_s (v − d)`, and `M` jumps by `−k_t (v' − φ)`.
+#[derive(Debug)]
+pub(super) struct Elastic {
+    pub(super) x: f64,
+    pub(super) stiffness: RBig,
+    pub(super) level: RBig,
+    pub(super) turning: Option<[RBig; 2]>,
 }
 
 /// The straight line between two points.
@@ -68,6 +87,14 @@ fn on(profile: &Profile, ends: [f64; 2]) -> Option<&Polynomial> {
     (part.0[0] <= ends[0]).then_some(&part.1)
 }
 
+/// `EI` of a beam, in parts.
+fn bending(beam: &Beam) -> Vec<([f64; 2], RBig)> {
+    let (l, least) = (beam.length(), [[0.0, beam.bending_stiffness()]]);
+    let steps = if beam.steps().is_empty() { &least[..] } else { beam.steps() };
+    let ends = steps.iter().skip(1).map(|step| step[0]).chain([l]);
+    steps.iter().zip(ends).map(|(&[from, stiffness], to)| ([from, to], exactly(stiffness))).collect()
+}
+
 fn sorted(places: impl Iterator<Item = f64>, l: f64) -> Vec<f64> {
     let mut places: Vec<f64> = places.filter(|x| (0.0..=l).contains(x)).collect();
     places.sort_by(f64::total_cmp);
@@ -76,6 +103,9 @@ fn sorted(places: impl Iterator<Item = f64>, l: f64) -> Vec<f64> {
 }
 
 impl Given {
+    /// Terms of a power series beyond the cubic where there is tension, on parts that are cut for it.
+    pub(super) const TERMS: usize = 9;
+
     /// The beam of a scene, of whose supports that only push those `press`.
     ///
     /// # Errors
@@ -83,45 +113,52 @@ impl Given {
     /// [`Unproven::Cosine`], and [`Unproven::AboveSupport`] where nothing is admissible without rounding.
     pub(super) fn of(scene: &Scene, press: &[f64]) -> Result<Self, Unproven> {
         let (beam, load, l) = (scene.beam(), scene.load(), scene.beam().length());
-        scene.is_uniform("--proof")?;
-        scene.is_evenly_grounded("--proof")?;
-        scene.has_no_tension("--proof")?;
-        scene.is_firm("--proof")?;
-        if scene.ground_stiffness().is_some()
-            && let Some(acts) = load.concentrated().find(|acts| acts.couple != 0.0)
-        {
-            return Err(Unproven::OnSprings { at: acts.at });
-        }
-        let springs = scene.ground_stiffness().map(exactly);
+        let soil = scene.ground_parts().map(|(ends, k)| (ends, exactly(k))).collect();
         let parts = load.linear().iter().filter(|q| q.from < q.to).map(|q| line([q.from, q.start], [q.to, q.end]));
         let level = Foundation::Flat { depth: 0.0 };
         let mut given = Self {
             length: l,
-            stiffness: exactly(beam.bending_stiffness()),
+            bending: bending(beam),
+            joints: beam.joints().iter().map(|joint| (joint.at, joint.stiffness.map(exactly))).collect(),
+            tension: exactly(beam.tension()),
             loads: parts.chain([([0.0, l], vec![exactly(load.uniform())])]).collect(),
             acting: load.concentrated().map(|acts| (acts.at, [acts.force, acts.couple].map(exactly))).collect(),
             ground: scene.foundation().map_or(Ok(Vec::new()), |ground| profile(Of::Foundation, ground, l))?,
             shape: profile(Of::Shape, beam.shape().unwrap_or(&level), l)?,
-            springs,
+            soil,
             alone: Vec::new(),
             supports: Vec::new(),
+            elastic: Vec::new(),
             breaks: Vec::new(),
-            load_breaks: Vec::new(),
+            hanging_breaks: Vec::new(),
         };
         let ends = |profile: &Profile| profile.iter().flat_map(|(ends, _)| *ends).collect::<Vec<f64>>();
-        let loads = ends(&given.loads).into_iter().chain(given.acting.iter().map(|acts| acts.0));
-        given.load_breaks = sorted(loads, l);
-        let parts = [&given.ground, &given.shape].map(ends).concat().into_iter();
-        let single = beam.all_supports().into_iter().map(|s| s.at).chain(given.load_breaks.iter().copied());
-        given.breaks = sorted(parts.chain(single), l);
+        let acts = given.acting.iter().map(|acts| acts.0).chain(given.joints.iter().map(|joint| joint.0));
+        let changes = given.bending.iter().map(|(ends, _)| ends[0]).chain(beam.springs().iter().map(|s| s.at));
+        given.hanging_breaks = sorted(ends(&given.loads).into_iter().chain(acts).chain(changes), l);
+        let soil = given.soil.iter().map(|(ends, _)| ends[0]);
+        let parts = [&given.ground, &given.shape].map(ends).concat().into_iter().chain(soil).collect::<Vec<f64>>();
+        let single = beam.all_supports().into_iter().map(|s| s.at).chain(given.hanging_breaks.iter().copied());
+        given.breaks = sorted(parts.into_iter().chain(single), l);
+        given.cut_for_tension(scene);
         given.edges(scene);
         given.stand(scene, press)?;
         Ok(given)
     }
 
+    /// Cuts what hangs so that a power series has the digits that it needs.
+    fn cut_for_tension(&mut self, scene: &Scene) {
+        /// Parts of the length `√(EI/N)` over which a beam in tension decays: with [`TERMS`](Self::TERMS) the series is off by 1e-14.
+        const PARTS: f64 = 2.0;
+        let decays = libm::sqrt(self.tension.to_f64().value().abs() / scene.beam().bending_stiffness());
+        let count = libm::ceil(PARTS * self.length * decays);
+        let places = (1_u32..).map(f64::from).take_while(|i: &f64| *i < count).map(|i| self.length * i / count);
+        self.hanging_breaks = sorted(self.hanging_breaks.iter().copied().chain(places), self.length);
+    }
+
     /// The edges of steps at the ends of the beam, where there is no part of the beam on the other side.
     fn edges(&mut self, scene: &Scene) {
-        let Some(Foundation::Polyline { points }) = scene.foundation().filter(|_| self.springs.is_none()) else {
+        let Some(Foundation::Polyline { points }) = scene.foundation().filter(|_| !self.is_on_soil()) else {
             return;
         };
         for x in [0.0, self.length] {
@@ -138,17 +175,25 @@ impl Given {
         let all = scene.beam().all_supports();
         for support in &all {
             let [own, turn] = self.own(support.at);
-            let (level, pushes_only) = (exactly(support.level) - own, support.pushes_only);
-            if pushes_only {
-                self.alone.push((support.at, level.clone()));
+            let (x, level, pushes_only) = (support.at, exactly(support.level) - own, support.pushes_only);
+            let slope = support.slope.map(|slope| exactly(slope) - turn);
+            let turning = support.turning_stiffness.zip(slope.clone()).map(|(k, slope)| [exactly(k), slope]);
+            let presses = !pushes_only || press.contains(&x);
+            if let Some(k) = support.stiffness {
+                let spring = Elastic { x, stiffness: exactly(k), level, turning };
+                self.elastic.extend(presses.then_some(spring));
+                continue;
             }
-            if !pushes_only || press.contains(&support.at) {
-                if !pushes_only && self.springs.is_none() && self.depth(support.at).is_some_and(|g| g < level) {
-                    return Err(Unproven::AboveSupport { at: support.at });
+            if pushes_only {
+                self.alone.push((x, level.clone()));
+            }
+            if presses {
+                if !pushes_only && !self.is_on_soil() && self.depth(x).is_some_and(|g| g < level) {
+                    return Err(Unproven::AboveSupport { at: x });
                 }
-                let tangent = tangents.iter().find(|held| held.at == support.at).map_or([false; 2], |h| h.tangent);
-                let slope = support.slope.map(|slope| exactly(slope) - turn);
-                self.supports.push(Support { x: support.at, level, slope, tangent, pushes_only });
+                let tangent = tangents.iter().find(|held| held.at == x).map_or([false; 2], |h| h.tangent);
+                let slope = slope.filter(|_| support.is_built_in());
+                self.supports.push(Support { x, level, slope, turning, tangent, pushes_only });
             }
         }
         Ok(())
@@ -169,8 +214,22 @@ impl Given {
         next.map_or([x, f64::INFINITY], |y| [x.min(*y), x.max(*y)])
     }
 
+    /// Whether the ground gives.
+    pub(super) fn is_on_soil(&self) -> bool {
+        !self.soil.is_empty()
+    }
+
+    /// `k` on a part without a break; zero on rigid ground.
+    pub(super) fn soil(&self, ends: [f64; 2]) -> RBig {
+        let i = self.soil.partition_point(|(part, _)| part[1] < ends[1]);
+        self.soil.get(i).or(self.soil.last()).map_or(RBig::ZERO, |(_, k)| k.clone())
+    }
+
     /// `g` on a part without a break; none without ground.
     pub(super) fn gap(&self, ends: [f64; 2]) -> Option<Polynomial> {
+        if self.is_on_soil() && self.soil(ends).is_zero() {
+            return None;
+        }
         let gap = plus(on(&self.ground, ends)?, &-RBig::ONE, on(&self.shape, ends)?);
         Some(shifted(&gap, &exactly(ends[0])))
     }
@@ -188,9 +247,32 @@ impl Given {
 
     /// `g(x)` of what does not give: at a step the smaller of the two, and that of a support that only pushes.
     pub(super) fn depth(&self, x: f64) -> Option<RBig> {
-        let sides = [true, false].into_iter().filter(|_| self.springs.is_none());
+        let sides = [true, false].into_iter().filter(|_| !self.is_on_soil());
         let sides = sides.filter_map(|left| self.side(x, left)).map(|[g, _]| g);
         sides.chain(self.alone.iter().filter(|s| s.0 == x).map(|s| s.1.clone())).min()
+    }
+
+    /// `EI` on a part without a break.
+    pub(super) fn bending(&self, ends: [f64; 2]) -> &RBig {
+        let i = self.bending.partition_point(|(part, _)| part[1] < ends[1]).min(self.bending.len() - 1);
+        &self.bending[i].1
+    }
+
+    /// `EI` on one side of a place.
+    pub(super) fn bending_beside(&self, x: f64, left: bool) -> &RBig {
+        self.bending(self.beside(x, left))
+    }
+
+    /// The joint at a place.
+    pub(super) fn joint(&self, x: f64) -> Option<&Option<RBig>> {
+        self.joints.iter().find(|joint| joint.0 == x).map(|joint| &joint.1)
+    }
+
+    /// What turns with the beam at a place, or holds its slope with a spring: `k_t` and `φ`.
+    pub(super) fn turning(&self, x: f64) -> Option<&[RBig; 2]> {
+        let springs = self.elastic.iter().map(|spring| (spring.x, &spring.turning));
+        let supports = self.supports.iter().map(|support| (support.x, &support.turning));
+        springs.chain(supports).find(|(at, _)| *at == x).and_then(|(_, turning)| turning.as_ref())
     }
 
     pub(super) fn support(&self, x: f64) -> Option<&Support> {
@@ -215,9 +297,9 @@ impl Given {
         force
     }
 
-    /// What is between two places, in parts without a break; of loads only, if that is all that counts.
-    pub(super) fn parts(&self, [from, to]: [f64; 2], of_loads: bool) -> Vec<[f64; 2]> {
-        let breaks = if of_loads { &self.load_breaks } else { &self.breaks };
+    /// What is between two places, in parts without a break; of a beam that hangs, if that is all that counts.
+    pub(super) fn parts(&self, [from, to]: [f64; 2], hangs: bool) -> Vec<[f64; 2]> {
+        let breaks = if hangs { &self.hanging_breaks } else { &self.breaks };
         let inside = breaks.iter().copied().filter(|x| from < *x && *x < to);
         let places: Vec<f64> = [from].into_iter().chain(inside).chain([to]).collect();
         places.windows(2).map(|pair| [pair[0], pair[1]]).collect()

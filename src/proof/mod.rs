@@ -18,6 +18,7 @@
 
 mod assembly;
 mod contact_nodes;
+mod equilibrium;
 mod given;
 mod polynomial;
 mod span;
@@ -60,12 +61,6 @@ pub enum Unproven {
     Cosine {
         /// Which profile has it.
         of: Profile,
-    },
-    /// The maker has no couples on an elastic foundation yet.
-    #[error("a couple on an elastic foundation, as at x = {at}, has no proof yet; on a rigid foundation it has")]
-    OnSprings {
-        /// The couple \[length\].
-        at: f64,
     },
     /// Exactly taken there is no admissible deflection.
     #[error(
@@ -156,7 +151,7 @@ pub fn prove(scene: &Scene, exact: &Exact) -> Result<Fields, Unproven> {
     }
 }
 
-/// What a list of contacts proves on rigid ground, from any source: only their places count.
+/// What a list of contacts proves on rigid ground, from any source: only their places count, and all springs that only push are pressed.
 ///
 /// # Errors
 ///
@@ -167,8 +162,15 @@ pub fn of_contacts(scene: &Scene, contacts: &[Contact]) -> Result<Fields, Unprov
 }
 
 fn of_places(scene: &Scene, contacts: &[Contact], exact: Option<&Exact>) -> Result<Fields, Unproven> {
-    let given = Given::of(scene, &[])?;
-    let mut contacts = contacts.to_vec();
+    let stops: Vec<f64> = scene.beam().springs().iter().filter(|s| s.pushes_only).map(|support| support.at).collect();
+    let is_at = |at: f64, other: f64| at.total_cmp(&other).is_eq();
+    let pushes =
+        |at: &f64| exact.is_none_or(|exact| exact.state.supports.iter().any(|s| is_at(s.at, *at) && 0.0 < s.force));
+    let press: Vec<f64> = stops.iter().copied().filter(pushes).collect();
+    let given = Given::of(scene, &press)?;
+    // A stop is a spring, and no place of the ground.
+    let is_stop = |contact: &Contact| contact.to <= contact.from && stops.iter().any(|at| is_at(*at, contact.from));
+    let mut contacts: Vec<Contact> = contacts.iter().filter(|contact| !is_stop(contact)).cloned().collect();
     loop {
         let proven = given.nodes(&contacts, exact).and_then(|nodes| given.assembled(&nodes));
         let Err(Unproven::Tension { at }) = proven else { return proven };

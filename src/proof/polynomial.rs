@@ -15,6 +15,13 @@ pub(super) fn short(of: &RBig) -> RBig {
     exactly(of.to_f64().value())
 }
 
+/// A sum of 64-bit numbers next to a fraction, of sixty digits: what is made of it stays short.
+pub(super) fn trimmed(of: &RBig) -> RBig {
+    /// So many that a beam in tension has digits of 64 bits after a hundred lengths over which it decays.
+    const TERMS: usize = 4;
+    (0..TERMS).fold(RBig::ZERO, |sum, _| &sum + short(&(of - &sum)))
+}
+
 /// `|of|`.
 pub(super) fn magnitude(of: &RBig) -> RBig {
     if *of < RBig::ZERO { -of } else { of.clone() }

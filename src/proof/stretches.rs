@@ -29,6 +29,15 @@ impl Given {
             let mut node = HoldingNode::new(x, None, part);
             if left.is_some() || right.is_some() {
                 self.press(&mut node, [left, right], scale);
+                if self.joint(x).is_some() {
+                    // What hangs on one side of a joint has a slope of its own.
+                    let beside = [i.checked_sub(1).and_then(|i| stretches.get(i)), stretches.get(i)];
+                    for (side, stretch) in beside.into_iter().enumerate() {
+                        if let Some(part) = stretch.filter(|part| part.sunk.is_empty()) {
+                            node.slopes[side] = exactly(part.ends[1 - side][1] * (scale.depth / scale.length));
+                        }
+                    }
+                }
             }
             nodes.push(node);
         }
@@ -62,17 +71,31 @@ impl Given {
         let sunk = beside[1].map(|part| part.ends[0][0]).or(beside[0].map(|part| part.ends[1][0])).unwrap_or(0.0);
         let lifts_off = beside.iter().any(Option::is_none) && sunk <= SURFACE * deepest;
         let surface = self.side(x, sides[1].is_none()).filter(|_| lifts_off).map(|[g, _]| g);
-        let moment = |of: &[RBig; 4]| short(&(-&self.stiffness * &of[2]));
-        let built_in = self.support(x).is_some_and(|s| s.slope.is_some());
-        let is_end = x <= 0.0 || self.length <= x;
-        let both = |of: &dyn Fn(&[RBig; 4]) -> RBig| sides.each_ref().map(|side| of(side.as_ref().unwrap_or(one)));
-        let same = if is_end { RBig::ZERO } else { moment(one) };
-        node.slope = one[1].clone();
-        node.pressed = Some(Box::new(PressedEnd {
-            deflection: surface.unwrap_or_else(|| one[0].clone()),
-            moment: if built_in { both(&moment) } else { [same.clone(), same] },
-            shear: both(&|of| short(&(-&self.stiffness * &of[3]))),
-        }));
+        let stiffness = [true, false].map(|left| self.bending_beside(x, left));
+        let moment = |of: &[RBig; 4], side: usize| short(&(-stiffness[side] * &of[2]));
+        let splits = self.turning(x).is_some() || self.support(x).is_some_and(|s| s.slope.is_some());
+        let is_end = [x <= 0.0, self.length <= x];
+        let both =
+            |of: &dyn Fn(&[RBig; 4], usize) -> RBig| [0, 1].map(|side| of(sides[side].as_ref().unwrap_or(one), side));
+        let [_, couple] = self.acting(x);
+        let hinged = self.joint(x).is_some_and(Option::is_none);
+        let moments = match is_end {
+            [false, false] if splits => both(&moment),
+            [false, false] if hinged => [RBig::ZERO, RBig::ZERO],
+            [false, false] => {
+                let left = if sides[1].is_some() { moment(one, 1) - &couple } else { moment(one, 0) };
+                [left.clone(), left + couple]
+            }
+            [true, _] if splits => [RBig::ZERO, moment(one, 1)],
+            [_, true] if splits => [moment(one, 0), RBig::ZERO],
+            [true, _] => [RBig::ZERO, couple],
+            [_, true] => [-couple, RBig::ZERO],
+        };
+        let deflection = surface.unwrap_or_else(|| one[0].clone());
+        let shear = |of: &[RBig; 4], side: usize| short(&(-stiffness[side] * &of[3] + &self.tension * &of[1]));
+        node.slopes =
+            [0, 1].map(|side| sides[side].as_ref().filter(|_| self.joint(x).is_some()).unwrap_or(one)[1].clone());
+        node.pressed = Some(Box::new(PressedEnd { deflection, moment: moments, shear: both(&shear) }));
     }
 }
 

@@ -36,20 +36,6 @@ impl Scene {
         if is_open { Err(SceneError::NotKnown { what, feature: "a gap in the foundation" }) } else { Ok(()) }
     }
 
-    /// Whether an elastic foundation has one stiffness.
-    ///
-    /// # Errors
-    ///
-    /// [`SceneError::NotKnown`] if not, naming what asked for it.
-    pub fn is_evenly_grounded(&self, what: &'static str) -> Result<(), SceneError> {
-        let changes = self.ground_changes().next().is_some();
-        if changes {
-            Err(SceneError::NotKnown { what, feature: "a stiffness of the foundation in steps" })
-        } else {
-            Ok(())
-        }
-    }
-
     /// Whether all moments of the beam follow from forces that are given: there is no hinge, and on ground that gives there are neither steps
     /// of the bending stiffness nor joints.
     ///

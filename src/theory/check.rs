@@ -5,7 +5,7 @@ use super::giving::{self, SpringState};
 use super::list::{List, Node, Unknown, Zone};
 use super::newton;
 use super::penetration::deepest;
-use super::piece::{Piece, derivatives, pieces_of, pieces_of_zone};
+use super::piece::{Piece, all_pieces, derivatives};
 use super::piecewise::PiecewiseScene;
 use super::pull::mean_pull;
 use super::sensitivity::ends;
@@ -109,6 +109,7 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Check {
         judge.measure(-force, most, i, pulls);
     }
     for (i, span) in &spans {
+        judge.known(*i, span);
         judge.bends(given, list, *i, span);
         if !given.has_obstacle() {
             continue;
@@ -148,28 +149,6 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Check {
     judge.measure(BALANCE * force.abs(), carried, 0, Violation::Unbalanced { force });
     let Judge { faults, worst } = judge;
     Check { pieces, spans, forces, moments, springs, faults, worst, scale }
-}
-
-/// The beam by pieces, from end to end.
-fn all_pieces(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Vec<Piece> {
-    let mut pieces = Vec::with_capacity(2 * spans.len());
-    let (mut next_span, mut next_zone) = (spans.iter().peekable(), list.zones());
-    for i in 0..=list.nodes.len() {
-        if list.in_zone_before(i) {
-            if let Some(zone) = next_zone.next() {
-                pieces_of_zone(given, zone.from, zone.to, &mut pieces);
-            }
-        } else {
-            while let Some((_, span)) = next_span.next_if(|(before, _)| *before == i) {
-                pieces_of(given, span, &mut pieces);
-            }
-        }
-    }
-    if pieces.is_empty() {
-        // Nothing but zones that end before they start.
-        pieces_of_zone(given, 0.0, given.length, &mut pieces);
-    }
-    pieces
 }
 
 /// Takes down what fails.
@@ -214,6 +193,13 @@ impl Judge {
             {
                 self.refuse(zone.node, Violation::Broken { at: given.breakpoints[breakpoint].x });
             }
+        }
+    }
+
+    /// A span has numbers: not so a mechanism.
+    fn known(&mut self, index: usize, span: &Span) {
+        if !span.beam_a.iter().chain(&span.beam_b).all(|value| value.is_finite()) {
+            self.refuse(index, Violation::Unresolved { from: span.a.x, to: span.b.x });
         }
     }
 

@@ -239,7 +239,7 @@ pub(super) fn overhang(given: &PiecewiseScene, held: End, slope: f64, at_left: b
         let ends = [near, far];
         spans.push(Span::of(order.map(|i| ends[i]), order.map(|i| at[i]), order.map(|i| beam[i]), e));
         // A hinge leaves it to what follows how it turns.
-        let kink = if joint == 0.0 { 0.0 } else { joint * beyond.moment };
+        let kink = if joint == 0.0 || beyond.moment == 0.0 { 0.0 } else { joint * beyond.moment };
         slope = turned - sign * kink;
         let height = given.derivative(outside, x, 0) - next;
         near = End { x, low: 0.0, cell: outside, hold: EndCondition::Hinge { height, level: next, curvature: 0.0 } };

@@ -208,18 +208,6 @@ impl Exact {
         self.list.nodes.iter().filter_map(held).collect()
     }
 
-    /// The places of its contacts and of the supports that press, and those of its list besides that do not: from these a certificate is
-    /// proven.
-    pub(crate) fn witness(&self) -> Vec<Contact> {
-        let is_in = |c: &Contact| self.idle.iter().any(|idle| idle.from <= c.from && c.to <= idle.to);
-        let stops = |c: &Contact| self.given.springs.iter().any(|s| sits_at(self.place(s.breakpoint), c.from));
-        let is_contact = |c: &Contact| !is_in(c) && (self.state.contacts.contains(c) || !stops(c));
-        let mut all: Vec<Contact> = self.state.touched().into_iter().filter(is_contact).collect();
-        all.extend_from_slice(&self.idle);
-        all.sort_by(|a, b| a.from.total_cmp(&b.from));
-        all
-    }
-
     /// Of ground that gives, the stretches of the beam in the units of [`Scene::scaled`](crate::scene::Scene::scaled): the witness of a
     /// certificate.
     #[must_use]

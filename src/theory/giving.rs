@@ -20,6 +20,7 @@ use super::solve::TheoryError;
 use super::span::Span;
 use super::violation::Violation;
 use crate::scene::Scene;
+use crate::state::Contact;
 
 /// All on the wrong side are exchanged so often without a better set than any before. *Tuned*: any small number will do, since one at a
 /// time follows.
@@ -38,10 +39,22 @@ pub(super) struct SpringState {
 
 /// Of the supports that give, what each does; `spans` are those of the list.
 pub(super) fn states(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Vec<SpringState> {
-    given.springs.iter().map(|spring| state(given, list, spans, spring)).collect()
+    let most = |order: usize| {
+        let ends = spans.iter().flat_map(|(_, span)| [span.beam_a[order], span.beam_b[order]]);
+        ends.fold(0.0, |most: f64, value| most.max(value.abs()))
+    };
+    let most = if given.springs.is_empty() { [0.0; 2] } else { [most(0), most(1)] };
+    given.springs.iter().map(|spring| state(given, list, spans, spring, most)).collect()
 }
 
-fn state(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], spring: &AtSpring) -> SpringState {
+/// The same of one, with the size of deflections and slopes, of which rounding is a share.
+fn state(
+    given: &PiecewiseScene,
+    list: &List,
+    spans: &[(usize, Span)],
+    spring: &AtSpring,
+    most: [f64; 2],
+) -> SpringState {
     if !spring.acts {
         return SpringState::default();
     }
@@ -67,23 +80,23 @@ fn state(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], spring: &
     let v = if touches { at.depth } else { v };
     let jump = shears[1] - shears[0] + at.force;
     let size = if touches { f64::INFINITY } else { shears[0].abs() + shears[1].abs() + at.force.abs() };
-    let force = exerted(spring.stiffness, [v, spring.level], jump, size);
+    let force = exerted(spring.stiffness, [v, spring.level], jump, [most[0], size]);
     let couple = spring.turning.map_or(0.0, |[k, without]| {
         let jump = moments[1] - moments[0] + at.couple;
         let size = moments[0].abs() + moments[1].abs() + at.couple.abs();
         match node {
             // The digits of a slope beyond its number, of one that is free.
             Some(node) => at.couple - nodes[node].couple(given),
-            None => exerted(-k, [slope, without], jump, if zone { f64::INFINITY } else { size }),
+            None => exerted(-k, [slope, without], jump, [most[1], if zone { f64::INFINITY } else { size }]),
         }
     });
     SpringState { force, couple, moments }
 }
 
 /// What a spring exerts: either from how far it gives, or from what jumps. Of a stiff one the former has no digits, of a soft one the latter,
-/// the difference of numbers of this size.
-pub(super) fn exerted(k: f64, [given, without]: [f64; 2], jump: f64, size: f64) -> f64 {
-    if k * (given.abs() + without.abs()) <= size { k * (given - without) } else { jump }
+/// the difference of numbers of this `size`; of what is given rounding is a share of the `most` that there is.
+pub(super) fn exerted(k: f64, [given, without]: [f64; 2], jump: f64, [most, size]: [f64; 2]) -> f64 {
+    if k.abs() * (most + without.abs()) <= size { k * (given - without) } else { jump }
 }
 
 /// Of the supports that only push, those that would have to pull, and those that the beam would be below, each with its index.
@@ -185,6 +198,16 @@ impl Exact {
         self.given.springs.iter().map(|spring| spring.acts).collect()
     }
 
+    /// Whether a support that gives is at a place \[length\].
+    pub(super) fn gives(&self, x: f64) -> bool {
+        self.given.springs.iter().any(|spring| self.place(spring.breakpoint).total_cmp(&x).is_eq())
+    }
+
+    /// How many of those that only push are before breakpoint `i`.
+    pub(super) fn stops_before(&self, i: usize) -> usize {
+        self.given.springs.iter().filter(|spring| spring.pushes_only && spring.breakpoint < i).count()
+    }
+
     /// Where breakpoint `i` is \[length\].
     pub(super) fn place(&self, i: usize) -> f64 {
         self.given.breakpoints[i].x * self.scale.length
@@ -198,5 +221,18 @@ impl Exact {
             state.map_or([0.0; 2], |support| [support.force, support.couple])
         };
         self.given.springs.iter().map(at).collect()
+    }
+
+    /// The places of its contacts and of the supports that press, and those of its list besides that do not: from these a certificate is
+    /// proven.
+    pub(crate) fn witness(&self) -> Vec<Contact> {
+        let is_in = |c: &Contact| self.idle.iter().any(|idle| idle.from <= c.from && c.to <= idle.to);
+        let stops =
+            |c: &Contact| self.given.springs.iter().any(|s| self.place(s.breakpoint).total_cmp(&c.from).is_eq());
+        let is_contact = |c: &Contact| !is_in(c) && (self.state.contacts.contains(c) || !stops(c));
+        let mut all: Vec<Contact> = self.state.touched().into_iter().filter(is_contact).collect();
+        all.extend_from_slice(&self.idle);
+        all.sort_by(|a, b| a.from.total_cmp(&b.from));
+        all
     }
 }

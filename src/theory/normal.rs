@@ -15,6 +15,7 @@ pub(super) fn merged(given: &PiecewiseScene, nodes: &[Node]) -> List {
         inside: false,
     };
     for &node in nodes {
+        let node = at_hinge(given, node, normal.closed);
         if let Some(index) = node.support(given) {
             normal.add_support(index, node);
         } else if node.is_tip(given) {
@@ -24,6 +25,16 @@ pub(super) fn merged(given: &PiecewiseScene, nodes: &[Node]) -> List {
         }
     }
     normal.end_of_beam()
+}
+
+/// The end of a zone that cannot be told from a hinge on straight ground is the hinge.
+fn at_hinge(given: &PiecewiseScene, node: Node, closed: f64) -> Node {
+    if given.divisions.is_empty() || !node.is_of_zone() {
+        return node;
+    }
+    let hinge = |i: &usize| given.breakpoints[*i].joint.is_infinite() && given.is_straight(*i) && !given.breaks_at(*i);
+    let beside = given.breakpoints_inside(node.x - closed, node.x + closed).find(hinge);
+    beside.map_or(node, |i| Node::hinge_of_zone(given, i, node.starts_zone()))
 }
 
 /// The nodes of a list so far.

@@ -6,7 +6,7 @@ use super::forces::{force_beside, zone_force};
 use super::list::Node;
 use super::piecewise::PiecewiseScene;
 use super::shape::Wave;
-use crate::state::Contact;
+use crate::state::{Contact, SupportForce};
 
 /// The kind of an exact solution.
 #[derive(Debug, Clone, PartialEq)]
@@ -102,20 +102,31 @@ impl Exact {
     pub fn pattern(&self) -> Pattern {
         let (given, nodes, rest) = (&self.given, &self.list.nodes, self.rest());
         let clamped = |(i, node): (usize, &Node)| Some(self.clamped(i, node.support(given)?, rest));
-        let supports = nodes.iter().enumerate().filter_map(clamped);
+        let mut clamped = nodes.iter().enumerate().filter_map(clamped);
         let holding: Vec<_> = self.state.supports.iter().filter(|support| !support.pushes_only).collect();
-        let pulling = nodes.iter().enumerate().filter_map(|(i, node)| {
-            let support = holding.get(node.support(given)?)?;
+        let firm: Vec<_> = holding.iter().filter(|support| !self.gives(support.at)).collect();
+        let mut pulling = nodes.iter().enumerate().filter_map(|(i, node)| {
+            let support = firm.get(node.support(given)?)?;
             Some(support.force < -self.no_force(i, rest).max(TOLERANCE * self.load_on(node)))
         });
         let (kinds, contacts): (Vec<_>, Vec<_>) = self.contacts_by_kind().into_iter().unzip();
         let forces = || self.state.supports.iter().map(|support| support.force);
         let no_force = TOLERANCE * forces().fold(self.state.contact_force(), |sum, force| sum + force.abs());
-        let pulls =
-            if self.springs.is_some() { forces().map(|force| force < -no_force).collect() } else { pulling.collect() };
+        let of = |support: &&SupportForce| match self.gives(support.at) {
+            true => Some(support.force < -no_force),
+            false => pulling.next(),
+        };
+        let pulls = if self.springs.is_some() {
+            forces().map(|force| force < -no_force).collect()
+        } else {
+            holding.iter().filter_map(of).collect()
+        };
         Pattern {
             kinds,
-            clamped: supports.collect(),
+            clamped: holding
+                .iter()
+                .filter_map(|support| if self.gives(support.at) { Some([false; 2]) } else { clamped.next() })
+                .collect(),
             pulls,
             crests: contacts.iter().map(|contact| self.crest(contact)).collect(),
             pieces: given.shapes.len(),
@@ -144,7 +155,7 @@ impl Exact {
             let kind = match node.breakpoint {
                 None if node.is_smooth() => ContactKind::Point(given.cells[node.cell].shape),
                 Some(breakpoint) if node.is_edge(given) => match given.bearings.binary_search(&breakpoint) {
-                    Ok(bearing) => ContactKind::Bearing(bearing),
+                    Ok(bearing) => ContactKind::Bearing(bearing + self.stops_before(breakpoint)),
                     Err(_) => ContactKind::Edge(edge(given, breakpoint)),
                 },
                 _ => continue,
@@ -159,7 +170,19 @@ impl Exact {
                     .map(|contact| (kind, contact)),
             );
         }
+        found.extend(self.pressed_stops());
+        if !given.springs.is_empty() {
+            found.sort_by(|a, b| a.1.from.total_cmp(&b.1.from));
+        }
         found
+    }
+
+    /// The springs that only push and are pressed, counted among all supports that only push.
+    fn pressed_stops(&self) -> impl Iterator<Item = (ContactKind, Contact)> + '_ {
+        let most = self.state.supports.iter().fold(0.0, |most: f64, support| most.max(support.force.abs()));
+        let pushing = self.state.supports.iter().filter(|support| support.pushes_only).enumerate();
+        let pressed = pushing.filter(move |(_, support)| self.gives(support.at) && TOLERANCE * most < support.force);
+        pressed.map(|(i, support)| (ContactKind::Bearing(i), Contact::at(support.at, support.force)))
     }
 
     /// A contact on ground that gives.

@@ -1,6 +1,7 @@
 //! The beam by pieces: over each of them it is one polynomial, from a contact over all cells under one line of load to the next
 //! contact, or to the middle between the two. In each of its cells the clearance is one polynomial (or nearly so, for a cosine).
 
+use super::list::List;
 use super::piecewise::{Cell, PiecewiseScene};
 use super::span::{End, EndCondition, Span, difference};
 use super::tension::continued;
@@ -281,6 +282,28 @@ pub(super) fn pieces_of(given: &PiecewiseScene, span: &Span, out: &mut Vec<Piece
         }
     }
     out[meeting..].reverse();
+}
+
+/// The beam by pieces, from end to end.
+pub(super) fn all_pieces(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Vec<Piece> {
+    let mut pieces = Vec::with_capacity(2 * spans.len());
+    let (mut next_span, mut next_zone) = (spans.iter().peekable(), list.zones());
+    for i in 0..=list.nodes.len() {
+        if list.in_zone_before(i) {
+            if let Some(zone) = next_zone.next() {
+                pieces_of_zone(given, zone.from, zone.to, &mut pieces);
+            }
+        } else {
+            while let Some((_, span)) = next_span.next_if(|(before, _)| *before == i) {
+                pieces_of(given, span, &mut pieces);
+            }
+        }
+    }
+    if pieces.is_empty() {
+        // Nothing but zones that end before they start.
+        pieces_of_zone(given, 0.0, given.length, &mut pieces);
+    }
+    pieces
 }
 
 /// The pieces of a zone, in which the beam is the profile.

@@ -16,6 +16,8 @@ pub(crate) const GALLERY: &str = "report/scenes";
 pub(crate) const HELD: &str = "report/scenes/held";
 /// Where those on ground that gives are.
 pub(crate) const SOFT: &str = "report/scenes/soft";
+/// Where those that engineers have are.
+pub(crate) const PRACTICE: &str = "report/scenes/practice";
 /// Where those of the exercises are.
 pub(crate) const TAUGHT: &str = "report/scenes/taught";
 

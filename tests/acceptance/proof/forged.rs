@@ -3,10 +3,11 @@
 use std::collections::BTreeMap;
 
 use palkki::proof::{Cell, Fields, prove};
+use palkki::scene::file::{ReadProblem, parse};
 use palkki::theory;
 use palkki_evidence::authority::RBig;
 use palkki_evidence::authority::check::{Scene, check};
-use palkki_evidence::random::{Random, sample_of};
+use palkki_evidence::random::{Feature, Random, general, sample_of};
 
 use super::{read, text};
 use crate::scenes::scene;
@@ -27,6 +28,15 @@ const SCENES: [&str; 10] = [
     "held/table-edge",
     "soft/bearings",
 ];
+
+/// And random ones of the general beam: with couples and steps, with joints, and with a hinge.
+const GENERAL: [(u64, &[Feature]); 4] = [
+    (0, &[Feature::Couple, Feature::Steps]),
+    (1, &[Feature::Steps, Feature::Joint]),
+    (2, &[Feature::Joint]),
+    (3, &[Feature::Hinge]),
+];
+const GENERAL_NAME: &str = "a general beam";
 
 /// From 2⁻¹⁰⁰, which is 1e-30, to one.
 fn fault(random: &mut Random, of: &RBig) -> RBig {
@@ -92,10 +102,17 @@ fn bent(p: &mut Vec<RBig>, what: &'static str) -> &'static str {
 #[test]
 fn a_forged_proof_is_refused_or_still_true() {
     let mut random = Random::new(0x000f_0496_ed00);
+    let general = GENERAL.map(|(i, of)| {
+        let text = general(i, of, false).text;
+        parse("scene.toml", &text, |_| Err(ReadProblem::Missing)).unwrap_or_else(|error| panic!("{error}"))
+    });
+    let names = SCENES.into_iter().chain([GENERAL_NAME; GENERAL.len()]);
     let proofs: Vec<(Scene, Fields, [RBig; 2])> = SCENES
         .iter()
-        .map(|name| {
-            let scene = scene(name);
+        .map(|name| scene(name))
+        .chain(general)
+        .zip(names.clone())
+        .map(|(scene, name)| {
             let proof = prove(&scene, &theory::solve(&scene).expect("an answer")).expect("a proof");
             let read = read(&text(&scene));
             let bracket = checked(&read, &proof).unwrap_or_else(|why| panic!("{name}: {why}"));
@@ -110,7 +127,8 @@ fn a_forged_proof_is_refused_or_still_true() {
         match checked(scene, &forged) {
             Err(_) => counts[0] += 1,
             Ok([least, most]) => {
-                assert!(least <= *up && *low <= most && least <= most, "{what} of {}: {least} {most}", SCENES[k % 10]);
+                let name = names.clone().nth(k % proofs.len()).unwrap_or_default();
+                assert!(least <= *up && *low <= most && least <= most, "{what} of {name}: {least} {most}");
                 counts[1] += 1;
             }
         }

@@ -10,10 +10,9 @@ use palkki_evidence::authority::RBig;
 use palkki_evidence::authority::check::{self, check};
 use palkki_evidence::draft::Draft;
 
-/// The text of a scene file, of ground that gives as well.
+/// The text of a scene file.
 fn text(scene: &Scene) -> String {
-    let soft = scene.ground_stiffness().map_or_else(String::new, |k| format!("stiffness = {k:?}\n"));
-    Draft::from(scene).text() + &soft
+    Draft::from(scene).text()
 }
 
 /// The scene as the checker reads it.

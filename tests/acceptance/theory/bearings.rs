@@ -130,11 +130,11 @@ fn draft(seed: u64) -> Option<Draft> {
         length,
         stiffness,
         uniform,
-        linear: Vec::new(),
         point,
         ground: Some(ground),
         supports: Some(supports),
         shape,
+        ..Draft::default()
     };
     draft.scene().is_ok_and(|scene| scene.scaled().is_ok()).then_some(draft)
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene, SceneError, Support};
+use palkki::scene::{Beam, CoupleLoad, Foundation, Joint, LinearLoad, Load, PointLoad, Scene, SceneError, Support};
 
 use crate::paper::{LENGTH, STIFFNESS, UNIFORM};
 
@@ -13,14 +13,24 @@ pub struct Draft {
     pub length: f64,
     /// Bending stiffness.
     pub stiffness: f64,
+    /// Bending stiffness from each place on; without any it is `stiffness`.
+    pub steps: Vec<[f64; 2]>,
+    /// Joints.
+    pub joints: Vec<Joint>,
+    /// Tension, negative for compression.
+    pub tension: f64,
     /// Uniform load.
     pub uniform: f64,
     /// Loads that vary linearly.
     pub linear: Vec<LinearLoad>,
     /// Point loads.
     pub point: Vec<PointLoad>,
+    /// Couples.
+    pub couple: Vec<CoupleLoad>,
     /// The foundation, if there is one.
     pub ground: Option<Foundation>,
+    /// Stiffness of the foundation from each place on; without any it is rigid.
+    pub soil: Vec<[f64; 2]>,
     /// [`None`] for the supports that are there if nothing is said of them.
     pub supports: Option<Vec<Support>>,
     /// The own shape, if the beam has one.
@@ -70,7 +80,9 @@ impl Draft {
     ///
     /// What is wrong with its numbers.
     pub fn beam(&self) -> Result<Beam, SceneError> {
-        let beam = Beam::new(self.length, self.stiffness)?;
+        let beam =
+            Beam::new(self.length, self.stiffness)?.with_joints(self.joints.clone())?.with_tension(self.tension)?;
+        let beam = if self.steps.is_empty() { beam } else { beam.with_steps(self.steps.clone())? };
         let beam = match &self.supports {
             Some(supports) => beam.with_supports(supports.clone())?,
             None => beam,
@@ -87,16 +99,12 @@ impl Draft {
     ///
     /// What is wrong with its numbers.
     pub fn scene(&self) -> Result<Scene, SceneError> {
-        self.scene_above(None)
-    }
-
-    /// The scene above a foundation of a stiffness \[force / length²\], rigid without.
-    ///
-    /// # Errors
-    ///
-    /// What is wrong with its numbers.
-    pub fn scene_above(&self, stiffness: Option<f64>) -> Result<Scene, SceneError> {
-        Scene::above(self.beam()?, self.load()?, self.ground.clone(), stiffness)
+        let (beam, load, ground) = (self.beam()?, self.load()?, self.ground.clone());
+        match &self.soil[..] {
+            [] => Scene::new(beam, load, ground),
+            [[0.0, k]] => Scene::above(beam, load, ground, Some(*k)),
+            steps => Scene::above_steps(beam, load, ground, steps.to_vec()),
+        }
     }
 
     /// The loads, whatever the beam is held by.
@@ -106,7 +114,8 @@ impl Draft {
     /// What is wrong with their numbers, or with the length of the beam.
     pub fn load(&self) -> Result<Load, SceneError> {
         let beam = Beam::new(self.length, self.stiffness)?;
-        Load::new(&beam, self.uniform, self.linear.clone(), self.point.clone())
+        Load::new(&beam, self.uniform, self.linear.clone(), self.point.clone())?
+            .with_couples(&beam, self.couple.clone())
     }
 
     /// The supports, in the order in which the file has them.
@@ -134,9 +143,16 @@ impl Draft {
     /// The scene file.
     #[must_use]
     pub fn text(&self) -> String {
-        let Self { length, stiffness, uniform, linear, point, ground, supports, shape } = self;
-        let mut text = format!("[beam]\nlength = {}\nbending_stiffness = {}\n", number(*length), number(*stiffness));
+        let bending = if self.steps.is_empty() { number(self.stiffness) } else { in_steps(&self.steps) };
+        let Self { length, uniform, linear, point, couple, ground, soil, supports, shape, .. } = self;
+        let mut text = format!("[beam]\nlength = {}\nbending_stiffness = {}\n", number(*length), bending);
         // Writing to a string does not fail.
+        if self.tension != 0.0 {
+            let _ = writeln!(text, "tension = {}", number(self.tension));
+        }
+        if !self.joints.is_empty() {
+            let _ = writeln!(text, "joints = [{}]", self.joints.iter().map(joint).collect::<Vec<_>>().join(", "));
+        }
         if let Some(shape) = shape {
             let _ = writeln!(text, "shape = {{ {} }}", keys(shape));
         }
@@ -152,8 +168,15 @@ impl Draft {
             let [at, force] = [part.at, part.force].map(number);
             let _ = writeln!(text, "[[load.point]]\nat = {at}\nforce = {force}");
         }
+        for part in couple {
+            let [at, moment] = [part.at, part.moment].map(number);
+            let _ = writeln!(text, "[[load.couple]]\nat = {at}\nmoment = {moment}");
+        }
         if let Some(ground) = ground {
             let _ = writeln!(text, "[foundation]\n{}", keys(ground));
+        }
+        if ground.is_some() && !soil.is_empty() {
+            let _ = writeln!(text, "stiffness = {}", in_steps(soil));
         }
         text
     }
@@ -167,6 +190,10 @@ impl Draft {
             |q: &LinearLoad| LinearLoad { from: length - q.to, to: length - q.from, start: q.end, end: q.start };
         let support = |s: &Support| Support { at: length - s.at, slope: s.slope.map(|slope| -slope), ..*s };
         Self {
+            steps: back(&self.steps, length),
+            soil: back(&self.soil, length),
+            joints: self.joints.iter().map(|j| Joint { at: length - j.at, ..*j }).collect(),
+            couple: self.couple.iter().map(|c| CoupleLoad { at: length - c.at, moment: -c.moment }).collect(),
             linear: self.linear.iter().map(linear).collect(),
             point: self.point.iter().map(|p| PointLoad { at: length - p.at, ..*p }).collect(),
             ground: profile(&self.ground),
@@ -180,7 +207,7 @@ impl Draft {
     #[must_use]
     pub fn in_units(&self, units: Units) -> Self {
         let Units { length, depth, force } = units;
-        let density = force / length;
+        let (density, bending) = (force / length, force * length * length * length / depth);
         let linear = |q: &LinearLoad| LinearLoad {
             from: q.from * length,
             to: q.to * length,
@@ -191,12 +218,27 @@ impl Draft {
             at: s.at * length,
             level: s.level * depth,
             slope: s.slope.map(|slope| slope * (depth / length)),
+            stiffness: s.stiffness.map(|k| k * (force / depth)),
+            turning_stiffness: s.turning_stiffness.map(|k| k * (bending / length)),
             ..*s
         };
         let profile = |profile: &Option<Foundation>| profile.as_ref().map(|profile| scaled(profile, length, depth));
         Self {
             length: self.length * length,
-            stiffness: self.stiffness * (force * length * length * length / depth),
+            stiffness: self.stiffness * bending,
+            steps: self.steps.iter().map(|[x, stiffness]| [x * length, stiffness * bending]).collect(),
+            joints: self
+                .joints
+                .iter()
+                .map(|j| Joint { at: j.at * length, stiffness: j.stiffness.map(|k| k * (bending / length)) })
+                .collect(),
+            couple: self
+                .couple
+                .iter()
+                .map(|c| CoupleLoad { at: c.at * length, moment: c.moment * (force * length) })
+                .collect(),
+            tension: self.tension * (force * length / depth),
+            soil: self.soil.iter().map(|[x, k]| [x * length, k * (density / depth)]).collect(),
             uniform: self.uniform * density,
             linear: self.linear.iter().map(linear).collect(),
             point: self.point.iter().map(|p| PointLoad { at: p.at * length, force: p.force * force }).collect(),
@@ -213,10 +255,18 @@ impl From<&Scene> for Draft {
         Self {
             length: beam.length(),
             stiffness: beam.bending_stiffness(),
+            steps: beam.steps().to_vec(),
+            joints: beam.joints().to_vec(),
+            tension: beam.tension(),
             uniform: load.uniform(),
             linear: load.linear().to_vec(),
             point: load.point().to_vec(),
+            couple: load.couple().to_vec(),
             ground: scene.foundation().cloned(),
+            soil: match scene.ground_steps() {
+                [] => scene.ground_stiffness().map(|k| [0.0, k]).into_iter().collect(),
+                steps => steps.to_vec(),
+            },
             supports: Some(beam.supports_as_given()),
             shape: beam.shape().cloned(),
         }
@@ -286,12 +336,39 @@ fn keys(profile: &Foundation) -> String {
     }
 }
 
+/// A number, or steps.
+fn in_steps(steps: &[[f64; 2]]) -> String {
+    let step = |[x, value]: &[f64; 2]| format!("[{}, {}]", number(*x), number(*value));
+    match steps {
+        [[0.0, value]] => number(*value),
+        steps => format!("{{ steps = [{}] }}", steps.iter().map(step).collect::<Vec<_>>().join(", ")),
+    }
+}
+
+/// Steps from right to left.
+fn back(steps: &[[f64; 2]], length: f64) -> Vec<[f64; 2]> {
+    let ends = steps.iter().skip(1).map(|step| step[0]).chain([length]);
+    let mut back: Vec<[f64; 2]> = steps.iter().zip(ends).map(|([_, value], end)| [length - end, *value]).collect();
+    back.reverse();
+    back
+}
+
+/// An entry of `beam.joints`.
+fn joint(joint: &Joint) -> String {
+    let stiffness = joint.stiffness.map_or_else(String::new, |k| format!(", stiffness = {}", number(k)));
+    format!("{{ at = {}{stiffness} }}", number(joint.at))
+}
+
 /// An entry of `beam.supports`.
 fn support(support: &Support) -> String {
     let [at, level] = [support.at, support.level].map(number);
-    let slope = support.slope.map_or_else(String::new, |slope| format!(", built_in = true, slope = {}", number(slope)));
+    let key =
+        |key: &str, value: Option<f64>| value.map_or_else(String::new, |value| format!(", {key} = {}", number(value)));
+    let (spring, turning) = (key("stiffness", support.stiffness), key("turning_stiffness", support.turning_stiffness));
+    let built_in = if support.is_built_in() { ", built_in = true" } else { "" };
+    let slope = key("slope", support.slope);
     let pushes = if support.pushes_only { ", pushes_only = true" } else { "" };
-    format!("{{ at = {at}, level = {level}{slope}{pushes} }}")
+    format!("{{ at = {at}, level = {level}{spring}{turning}{built_in}{slope}{pushes} }}")
 }
 
 /// A number as TOML has it; reading it back gives the same bits.

@@ -6,6 +6,7 @@ mod derivatives;
 mod edges;
 mod energies;
 mod fractions;
+mod general;
 mod held;
 pub(crate) mod laws;
 mod moving;
@@ -22,18 +23,21 @@ use crate::draft::Draft;
 pub use scenes::Family;
 pub use tally::{Count, Tally};
 
-/// The first seeds of the second, the third and the fourth dice, see [`seeds`].
+/// The first seeds of the second to the fifth dice, see [`seeds`].
 pub(crate) const SECOND: u64 = 1 << 32;
 pub(crate) const THIRD: u64 = 1 << 33;
 pub(crate) const FOURTH: u64 = 1 << 34;
+pub(crate) const FIFTH: u64 = 1 << 35;
 
-/// The seeds of so many runs: of every six, two of the first dice, one of the second, one of the third and two of the fourth.
+/// The seeds of so many runs: of every eight, two of the first dice, one of the second, one of the third, two of the fourth and two of the
+/// fifth.
 pub fn seeds(runs: std::ops::Range<u64>) -> impl Iterator<Item = u64> {
-    runs.map(|run| match run % 6 {
-        2 => SECOND + run / 6,
-        3 => THIRD + run / 6,
-        4 | 5 => FOURTH + 2 * (run / 6) + run % 6 - 4,
-        first => 2 * (run / 6) + first,
+    runs.map(|run| match run % 8 {
+        2 => SECOND + run / 8,
+        3 => THIRD + run / 8,
+        4 | 5 => FOURTH + 2 * (run / 8) + run % 8 - 4,
+        6 | 7 => FIFTH + 2 * (run / 8) + run % 8 - 6,
+        first => 2 * (run / 8) + first,
     })
 }
 

@@ -6,6 +6,7 @@ use crate::draft::Draft;
 use crate::random::Random;
 
 use super::edges::{borders, extreme, spiky};
+use super::general::general;
 use super::held::{crowded, lying, margins, shaped, supported};
 use super::near::{bumps, coincident, high_degree, waves};
 use super::supports::{at_supports, balanced, dwarfed, in_tiny_units, level, many, middle_degree, washboard};
@@ -61,6 +62,8 @@ pub enum Family {
     MiddleDegree,
     /// Waves and a load that moves over them.
     Washboard,
+    /// Couples, steps, joints and springs of all sizes on the others, with numbers that must be refused: all of the fifth dice.
+    General,
 }
 
 impl Family {
@@ -111,6 +114,7 @@ impl Family {
             Self::Units => "tiny units",
             Self::MiddleDegree => "middle degree",
             Self::Washboard => "washboard",
+            Self::General => "general beam",
         }
     }
 
@@ -141,6 +145,7 @@ impl Family {
             Self::Units => in_tiny_units(random),
             Self::MiddleDegree => middle_degree(random),
             Self::Washboard => washboard(random),
+            Self::General => general(random),
         }
     }
 }

@@ -22,7 +22,7 @@ use super::moving::{sweep, tolerance};
 use super::refusals::{accepted, refused};
 use super::scenes::Family;
 use super::units::in_other_units;
-use super::{FOURTH, SECOND, THIRD};
+use super::{FIFTH, FOURTH, SECOND, THIRD, general};
 
 /// Intervals of the finest grid.
 const MOST_INTERVALS: usize = 60;
@@ -67,7 +67,8 @@ pub(crate) fn draft(seed: u64) -> (Family, Draft, Random) {
         seed if seed < SECOND => random.pick(&Family::FIRST),
         seed if seed < THIRD => random.pick(&Family::SECOND),
         seed if seed < FOURTH => random.pick(&Family::THIRD),
-        _ => random.pick(&Family::FOURTH),
+        seed if seed < FIFTH => random.pick(&Family::FOURTH),
+        _ => Family::General,
     };
     let draft = family.draft(&mut random);
     (family, draft, random)
@@ -88,12 +89,20 @@ fn of_draft(family: Family, draft: &Draft, mut random: Random) -> Trial {
     let mut trial = Trial::default();
     let scene = match read(&draft.text()) {
         Ok(scene) => scene,
+        Err(error) if family == Family::General => {
+            general::refused(&mut trial, &error);
+            return trial;
+        }
         Err(error) => {
             refused(&mut trial, draft, &error);
             return trial;
         }
     };
     trial.accepted = true;
+    if family == Family::General {
+        general::laws(&mut trial, draft, &scene, &mut random);
+        return trial;
+    }
     accepted(&mut trial, draft, &scene);
 
     let exact = theory::solve(&scene).ok();
@@ -225,7 +234,7 @@ fn all_but_turns(scene: &Scene, exact: &Exact) -> bool {
 }
 
 /// The same on the least grid that has a node at every support, if the one that is asked for has none and that one is not too fine.
-fn on_fitting_grid(scene: &Scene, settings: Settings) -> Settings {
+pub(super) fn on_fitting_grid(scene: &Scene, settings: Settings) -> Settings {
     let supports = scene.beam().supports();
     let fits = Grid::uniform(scene, settings.intervals)
         .is_ok_and(|grid| supports.iter().all(|support| grid.node_at(support.at).is_some()));
@@ -240,7 +249,7 @@ fn same_optimum(method: Method) -> Method {
     if method == Method::Complementarity { method } else { Method::Force }
 }
 
-fn settings(random: &mut Random) -> Settings {
+pub(super) fn settings(random: &mut Random) -> Settings {
     let method = random.pick(&Method::ALL);
     let solver = random.pick(&[
         Solver::ActiveSet,

@@ -3,7 +3,6 @@
 
 use palkki::scene::{Foundation, LinearLoad, PointLoad, Support};
 
-use super::Case;
 use super::beds::{Bed, bed};
 use crate::draft::Draft;
 use crate::random::Random;
@@ -92,9 +91,9 @@ impl Family {
         }
     }
 
-    /// Case number `i`.
+    /// Draft number `i`.
     #[must_use]
-    pub fn case(self, i: u32) -> Case {
+    pub fn case(self, i: u32) -> Draft {
         let random = &mut Random::new(0x9a1c_0000_0000 + ((self as u64) << 20) + u64::from(i));
         match self {
             Self::Shelves => shelf(random),
@@ -119,11 +118,16 @@ fn rounded(random: &mut Random, from: f64, to: f64, parts: f64) -> f64 {
 }
 
 /// A beam of a section under its weight.
+/// Soil of one stiffness, if it gives.
+fn evenly(soil: Option<f64>) -> Vec<[f64; 2]> {
+    soil.map(|k| [0.0, k]).into_iter().collect()
+}
+
 fn beam(length: f64, [stiffness, uniform]: Section) -> Draft {
     Draft { length, stiffness, uniform, ..Draft::default() }
 }
 
-fn shelf(random: &mut Random) -> Case {
+fn shelf(random: &mut Random) -> Draft {
     let length = rounded(random, 0.6, 2.4, 100.0);
     let draft = beam(length, random.pick(&BOARDS));
     let inset = random.pick(&[0.0, 0.0, 0.05, 0.2]);
@@ -154,7 +158,7 @@ fn shelf(random: &mut Random) -> Case {
             Some(Foundation::Polyline { points: points.into() })
         }
     };
-    Case { draft: Draft { linear, point, supports: Some(supports), ground, ..draft }, soil: None }
+    Draft { linear, point, supports: Some(supports), ground, ..draft }
 }
 
 /// Places of the supports of one to five spans.
@@ -176,7 +180,7 @@ fn axles(random: &mut Random, length: f64, forces: &[f64; 3]) -> Vec<PointLoad> 
     places.map(|at| PointLoad { at, force }).collect()
 }
 
-fn bridge(random: &mut Random) -> Case {
+fn bridge(random: &mut Random) -> Draft {
     let places = spans(random, 8.0, 40.0);
     let length = places[places.len() - 1];
     let draft = beam(length, random.pick(&GIRDERS));
@@ -195,10 +199,10 @@ fn bridge(random: &mut Random) -> Case {
             [[0.0, seat], [from, seat], [from, 5.0], [0.5 * length, 8.0], [to, 5.0], [to, seat], [length, seat]];
         Foundation::Polyline { points: points.into() }
     });
-    Case { draft: Draft { point, supports: Some(supports), ground, ..draft }, soil: None }
+    Draft { point, supports: Some(supports), ground, ..draft }
 }
 
-fn train(random: &mut Random) -> Case {
+fn train(random: &mut Random) -> Draft {
     let places = spans(random, 4.0, 20.0);
     let length = places[places.len() - 1];
     let draft = beam(length, random.pick(&GIRDERS));
@@ -208,10 +212,10 @@ fn train(random: &mut Random) -> Case {
     });
     let supports = Some(supports.collect());
     let point = axles(random, length, &[112.5e3, 225e3, 250e3]);
-    Case { draft: Draft { point, supports, ..draft }, soil: None }
+    Draft { point, supports, ..draft }
 }
 
-fn stop(random: &mut Random) -> Case {
+fn stop(random: &mut Random) -> Draft {
     let length = rounded(random, 2.0, 12.0, 10.0);
     let draft = beam(length, GIRDERS[random.below(3)]);
     let mut supports = vec![if random.once_in(2) { Support::built_in(0.0) } else { Support::simple(0.0) }];
@@ -227,10 +231,10 @@ fn stop(random: &mut Random) -> Case {
     let force = rounded(random, 1e3, 200e3, 1e-3);
     let point = (0..=random.below(2)).map(|_| PointLoad { at: rounded(random, 0.3 * length, length, 10.0), force });
     let point = point.collect();
-    Case { draft: Draft { point, supports: Some(supports), ..draft }, soil: None }
+    Draft { point, supports: Some(supports), ..draft }
 }
 
-fn footing(random: &mut Random) -> Case {
+fn footing(random: &mut Random) -> Draft {
     let kind = random.below(3);
     let length = rounded(random, 3.0, 30.0, 10.0);
     let draft = beam(length, STRIPS[kind]);
@@ -244,10 +248,10 @@ fn footing(random: &mut Random) -> Case {
     let hollows = random.pick(&[Bed::Level, Bed::Level, Bed::Steps { apart: 1.0, high: 0.01 }]);
     let ground = Some(bed(random, length, hollows));
     let soil = Some(random.pick(&SUBGRADES) * WIDTHS[kind]);
-    Case { draft: Draft { point, supports: Some(Vec::new()), ground, ..draft }, soil }
+    Draft { point, supports: Some(Vec::new()), ground, soil: evenly(soil), ..draft }
 }
 
-fn rail(random: &mut Random) -> Case {
+fn rail(random: &mut Random) -> Draft {
     let length = rounded(random, 6.0, 60.0, 1.0);
     let draft = beam(length, random.pick(&RAILS));
     let point = axles(random, length, &[50e3, 80e3, 125e3]);
@@ -260,10 +264,10 @@ fn rail(random: &mut Random) -> Case {
     let kind = random.pick(&beds);
     let ground = Some(bed(random, length, kind));
     let soil = Some(random.pick(&TRACKS));
-    Case { draft: Draft { point, supports: Some(Vec::new()), ground, ..draft }, soil }
+    Draft { point, supports: Some(Vec::new()), ground, soil: evenly(soil), ..draft }
 }
 
-fn pipe(random: &mut Random, soil: Option<f64>) -> Case {
+fn pipe(random: &mut Random, soil: Option<f64>) -> Draft {
     let length = random.pick(&[60.0, 200.0, 1000.0]);
     let draft = beam(length, random.pick(&PIPES));
     let readings = libm::round(20.0 * libm::pow(100.0, random.between(0.0, 1.0))) as u32;
@@ -285,10 +289,10 @@ fn pipe(random: &mut Random, soil: Option<f64>) -> Case {
     let valves =
         (0..random.below(3)).map(|_| PointLoad { at: rounded(random, 0.0, length, 1.0), force: 5.0 * draft.uniform });
     let point = valves.collect();
-    Case { draft: Draft { point, supports: Some(supports), ground: Some(ground), ..draft }, soil }
+    Draft { point, supports: Some(supports), ground: Some(ground), soil: evenly(soil), ..draft }
 }
 
-fn free_beam(random: &mut Random) -> Case {
+fn free_beam(random: &mut Random) -> Draft {
     let length = rounded(random, 1.0, 20.0, 10.0);
     let section = if random.once_in(2) { random.pick(&RAILS) } else { random.pick(&STRIPS) };
     let draft = beam(length, section);
@@ -304,5 +308,5 @@ fn free_beam(random: &mut Random) -> Case {
     };
     let point = places.iter().map(|&at| PointLoad { at, force: weight * random.between(0.1, 10.0) }).collect();
     let ground = Some(bed(random, length, Bed::Level));
-    Case { draft: Draft { point, supports: Some(Vec::new()), ground, ..draft }, soil }
+    Draft { point, supports: Some(Vec::new()), ground, soil: evenly(soil), ..draft }
 }

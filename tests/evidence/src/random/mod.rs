@@ -1,11 +1,13 @@
 //! Random numbers from a fixed seed, the same on every machine, with no crate to change under us; and random scenes.
 
 mod coinciding;
+mod general;
 mod held;
 mod population;
 mod scenes;
 
 pub use coinciding::coinciding;
+pub use general::{Feature, General, general};
 pub use held::held;
 pub use population::Family;
 pub use scenes::{on_lattice, rough, scene, smooth};

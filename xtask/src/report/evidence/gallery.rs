@@ -22,6 +22,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         row![link, state.regime.name(), exact.unknowns, left, right, contact, within]
     }));
     let soft = shown(study, scenes::SOFT, "soft")?;
+    let practice = shown(study, scenes::PRACTICE, "practice")?;
     let unknowns = || all.iter().map(|shown| shown.exact.unknowns);
     let context = context! {
         count => all.len(),
@@ -32,6 +33,9 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         overview,
         cards => all.iter().map(|shown| shown.card.clone()).collect::<Value>(),
         soft => soft.iter().map(|shown| shown.card.clone()).collect::<Value>(),
+        practice_count => practice.len(),
+        practice_certified => practice.iter().filter(|shown| shown.certified).count(),
+        practice => practice.iter().map(|shown| shown.card.clone()).collect::<Value>(),
         soft_count => soft.len(),
         soft_certified => soft.iter().filter(|shown| shown.certified).count(),
     };
@@ -42,7 +46,9 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         curves.point_forces.iter().map(move |force| row![name, fixed(force.at, 5), fixed(force.force, 5)])
     });
     let forces = Table::new(["scene", "x", "contact_force"]).rows(forces);
-    Evidence::new(context).figure("sheet", svg, forces)?.figures(all.into_iter().chain(soft).map(|shown| shown.figure))
+    Evidence::new(context)
+        .figure("sheet", svg, forces)?
+        .figures(all.into_iter().chain(soft).chain(practice).map(|shown| shown.figure))
 }
 
 /// A scene that is solved and judged, with its card and its figure.

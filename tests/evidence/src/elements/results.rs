@@ -1,6 +1,6 @@
 //! What a settled mesh says: where it has to be finer, and its forces, energy and moments.
 
-use super::elements::{Mesh, bent, carried, shapes};
+use super::mesh::{Mesh, RIGID, carried, shapes};
 use super::reference::Numbers;
 use super::wide::Wide;
 
@@ -10,7 +10,7 @@ impl Mesh<'_> {
         const FAR: f64 = 1e9;
         let loads = self.loads().iter().fold(0.0, |most: f64, load| most.max(load.near().abs()));
         let gaps = self.nodes.iter().map(|x| self.problem.gap(*x)).filter(|gap| gap.is_finite());
-        let levels = self.problem.supports().into_iter().map(|(_, level, ..)| level);
+        let levels = self.problem.supports.iter().map(|support| support.level);
         let size = gaps.chain(levels).fold(loads, |most: f64, gap| most.max(gap.abs()));
         self.values.iter().all(|value| value.near().abs() < FAR * size)
     }
@@ -29,7 +29,7 @@ impl Mesh<'_> {
     /// Cuts elements at that share where contact begins or ends, or where the beam is below rigid ground between its nodes by more than
     /// so much of the range of its deflections. False if there is none.
     pub(super) fn refine(&mut self, share: f64, below: f64) -> bool {
-        let marks = if self.problem.soil.is_some() { self.marks_on_soil() } else { self.marks_on_rigid_ground(below) };
+        let marks = if self.problem.is_on_soil() { self.marks_on_soil() } else { self.marks_on_rigid_ground(below) };
         if !marks.contains(&true) {
             return false;
         }
@@ -52,14 +52,20 @@ impl Mesh<'_> {
     fn marks_on_soil(&self) -> Vec<bool> {
         /// So far from an end of an element, by its length, the ground is that of the element, and not what is beyond a step.
         const INSIDE: f64 = 1e-3;
-        let states = |i: usize| {
+        let of_element = |i: usize| {
             let (x, h) = (self.nodes[i], self.nodes[i + 1] - self.nodes[i]);
             let is_below =
                 |t: f64| 0.0 < (between(h, t, &self.values[2 * i..])[0] - self.problem.gap(x + t * h).into()).near();
             let inside = self.soil_of(i).map(|spring| spring.pressed);
             [is_below(INSIDE), is_below(1.0 - INSIDE)].into_iter().chain(inside).collect::<Vec<bool>>()
         };
-        let elements: Vec<Vec<bool>> = (0..self.nodes.len() - 1).map(states).collect();
+        let is_element = |i: usize| 0.0 < self.problem.soil(self.nodes[i], self.nodes[i + 1]) * self.element(i).h;
+        let mut elements: Vec<Vec<bool>> = Vec::new();
+        for i in 0..self.nodes.len() - 1 {
+            // Between the two nodes of a joint, and over no soil, there is nothing to cut.
+            let before = elements.last().map_or(false, |states: &Vec<bool>| states[1]);
+            elements.push(if is_element(i) { of_element(i) } else { vec![before; 2] });
+        }
         let mixed = |i: usize| {
             let of = |k: Option<usize>, at: usize| k.and_then(|k| elements.get(k)).map(|states| states[at]);
             let [left, right] = [elements[i][0], elements[i][1]];
@@ -67,16 +73,25 @@ impl Mesh<'_> {
                 [of(i.checked_sub(1), 1).unwrap_or(left) != left, of(Some(i + 1), 0).unwrap_or(right) != right];
             beside.contains(&true) || elements[i].iter().any(|state| *state != left)
         };
-        (0..elements.len()).map(mixed).collect()
+        (0..elements.len()).map(|i| is_element(i) && mixed(i)).collect()
     }
 
     /// Elements that are below the ground between their nodes. The answer with forces at nodes alone has no more energy than the true one, and is the
     /// true one if no element is below the ground.
     fn marks_on_rigid_ground(&self, below: f64) -> Vec<bool> {
+        /// Of `F l³/EI`.
+        const FLAT: f64 = 1e-6;
+        /// Of the deflection: far more than rounding.
+        const LEVEL: f64 = 1e-9;
+        /// Shares of an element: a beam that touches beside a node is below the ground between the two, and nowhere else.
+        const NEAR_NODES: [f64; 4] = [1e-4, 1e-3, 1e-2, 0.05];
         let count = self.nodes.len();
         let deflections = self.values.iter().step_by(2).map(|v| v.near());
         let [least, most] = deflections.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| [a.min(v), b.max(v)]);
-        let size = most - least;
+        // A beam that lies on flat ground all along has no range but rounding: then what its load would do counts.
+        let load = self.loads().iter().step_by(2).fold(0.0, |sum, load| sum + load.near().abs());
+        let is_level = most - least <= LEVEL * most.abs().max(least.abs());
+        let size = if is_level { FLAT * load } else { most - least };
         let pressed = self.pressed();
         let mark = |i: usize| {
             let (x, h) = (self.nodes[i], self.nodes[i + 1] - self.nodes[i]);
@@ -85,11 +100,12 @@ impl Mesh<'_> {
             let inside = 0 < i && pressed[i - 1..(i + 3).min(count)].iter().all(|pressed| *pressed);
             let below = if inside { 1e3 * below } else { below };
             let is_below = |t: f64| {
-                let hangs = h * h * h * h * (a + b) / 48.0 * t * t * (1.0 - t) * (1.0 - t);
+                let hangs =
+                    h * h * h * h * (a + b) / (48.0 * self.element(i).stiffness) * t * t * (1.0 - t) * (1.0 - t);
                 let v = between(h, t, &self.values[2 * i..])[0] - self.problem.gap(x + t * h).into();
                 below * size < v.near() + hangs
             };
-            [0.03, 0.25, 0.5, 0.75, 0.97].into_iter().any(is_below)
+            0.0 < h && NEAR_NODES.into_iter().chain([0.25, 0.5]).any(|t| is_below(t) || is_below(1.0 - t))
         };
         (0..count - 1).map(mark).collect()
     }
@@ -107,23 +123,29 @@ impl Mesh<'_> {
         let at_places: Vec<usize> = self.problem.places.iter().map(|place| self.node_at(*place)).collect();
         let ends: Vec<[f64; 4]> = (0..self.nodes.len() - 1).map(|i| self.end_forces(i)).collect();
         // A load between the nodes of a zone bends each element, which the true beam does not do there; and a force between nodes is shared by both.
-        let pressed = if self.problem.soil.is_some() { vec![false; self.nodes.len() + 1] } else { self.pressed() };
+        let pressed = if self.problem.is_on_soil() { vec![false; self.nodes.len() + 1] } else { self.pressed() };
         let beside = |node: usize| pressed[node + 1] || 0 < node && pressed[node - 1];
-        let moment = |node: usize| ends.get(node).map_or_else(|| -ends[node - 1][3], |forces| forces[1]);
+        let moment = |node: usize| {
+            let joined = self.nodes.get(node + 1).is_some_and(|next| *next <= self.nodes[node]);
+            let node = node + usize::from(joined);
+            ends.get(node).map_or_else(|| -ends[node - 1][3], |forces| forces[1])
+        };
+        let is_one = |node: usize| !beside(node) && !self.problem.has_two_moments(self.nodes[node]);
         Numbers {
             supports: self.supports().map(|spring| spring.force(&self.values) * force).collect(),
             contact: self.soil().filter(|spring| spring.pressed).map(|spring| spring.force(&self.values)).sum::<f64>()
                 * force,
             energy: self.energy() * force,
+            length,
             deflections: at_places.iter().map(|node| self.values[2 * node].near()).collect(),
-            moments: at_places.iter().map(|node| (!beside(*node)).then(|| moment(*node) * force * length)).collect(),
+            moments: at_places.iter().map(|node| is_one(*node).then(|| moment(*node) * force * length)).collect(),
         }
     }
 
     /// What acts on the two ends of an element: what bends it and presses its springs, less its load.
     fn end_forces(&self, i: usize) -> [f64; 4] {
         let (x, h) = (self.nodes[i], self.nodes[i + 1] - self.nodes[i]);
-        let mut forces = bent(h, &self.values[2 * i..]);
+        let mut forces = self.element(i).bent(&self.values[2 * i..]);
         let loads = carried(h, self.problem.load(x, x + h));
         forces.iter_mut().zip(loads).for_each(|(force, load)| *force = *force - load.into());
         for spring in self.soil_of(i).filter(|spring| spring.pressed) {
@@ -140,21 +162,21 @@ impl Mesh<'_> {
         let loads = self.loads();
         let mut sum = loads.iter().zip(&self.values).fold(Wide::ZERO, |sum, (load, value)| sum - *load * *value);
         for (i, pair) in self.nodes.windows(2).enumerate() {
-            let (h, values) = (pair[1] - pair[0], &self.values[2 * i..2 * i + 4]);
-            let bending = bent(h, values).iter().zip(values).fold(Wide::ZERO, |sum, (a, b)| sum + *a * *b);
+            let (element, values) = (self.element(i), &self.values[2 * i..2 * i + 4]);
+            let bending = element.bent(values).iter().zip(values).fold(Wide::ZERO, |sum, (a, b)| sum + *a * *b);
             sum = sum + bending * 0.5.into();
             // Between nodes the load bends an element on, as if its ends were built in: m²h⁵/1440 and d²h⁵/50400 for q = m ± d at the ends.
             if self.soil_of(i).all(|spring| !spring.pressed) {
                 let [a, b] = self.problem.load(pair[0], pair[1]);
                 let (mean, part) = (0.5 * (a + b), 0.5 * (a - b));
-                let fifth = h * h * h * h * h;
+                let h = element.h;
+                let fifth = h * h * h * h * h / element.stiffness;
                 sum = sum - Wide::from(fifth * (mean * mean / 1440.0 + part * part / 50400.0));
             }
         }
-        if self.problem.soil.is_some() {
-            for spring in self.soil().filter(|spring| spring.pressed) {
-                sum = sum + Wide::from(0.5 * spring.force(&self.values) * spring.compression(&self.values));
-            }
+        // In springs that do not give there is next to nothing.
+        for spring in self.springs.iter().filter(|spring| spring.presses() && spring.stiffness < RIGID) {
+            sum = sum + Wide::from(0.5 * spring.force(&self.values) * spring.compression(&self.values));
         }
         sum.near()
     }

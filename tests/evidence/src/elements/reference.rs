@@ -1,7 +1,6 @@
 //! The reference: two meshes of different nodes, each refined where contact begins and ends. What they differ by is what the reference may be off by.
 
-use super::Case;
-use super::elements::{Mesh, RIGID};
+use super::mesh::{Mesh, RIGID};
 use super::problem::Problem;
 
 /// What is compared: forces, energy, and values at places.
@@ -18,6 +17,8 @@ pub struct Numbers {
     /// Bending moments there, positive with the underside in tension; [`None`] where finite elements do not tell, beside contact with rigid ground
     /// \[force · length\].
     pub moments: Vec<Option<f64>>,
+    /// Of the beam \[length\].
+    pub length: f64,
 }
 
 /// Shares by which forces, deflections, energy and moments differ, each of the largest of its kind.
@@ -27,11 +28,14 @@ impl Numbers {
     /// How far other numbers of the same case are from these.
     #[must_use]
     pub fn apart(&self, other: &Self) -> Shares {
+        const ROUNDING: f64 = 1e-9;
         let most = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, |most: f64, value| most.max(value.abs()));
         let apart = |a: &[f64], b: &[f64]| most(&mut a.iter().zip(b).map(|(a, b)| a - b));
         let size = |values: &[f64]| most(&mut values.iter().copied());
         let both = self.moments.iter().zip(&other.moments).filter_map(|(a, b)| a.zip(*b));
-        let moments = [most(&mut both.clone().map(|(a, b)| a - b)), most(&mut both.map(|(a, _)| a))];
+        // Moments that are none, compared where the beam has no others, are rounding of forces.
+        let least = ROUNDING * self.length * size(&self.supports).max(self.contact.abs());
+        let moments = [most(&mut both.clone().map(|(a, b)| a - b)), most(&mut both.map(|(a, _)| a)).max(least)];
         let forces = apart(&self.supports, &other.supports).max((self.contact - other.contact).abs());
         let share = |off: f64, size: f64| if off == 0.0 { 0.0 } else { off / size };
         [
@@ -82,8 +86,8 @@ struct Fineness {
 impl Fineness {
     /// Of the first mesh and of the second, of which the first is coarser by far: nearly all that they differ by is its error. *Tuned* on
     /// the families, so that they differ by some 1e-5, or by 1e-4 beside a support whose ground holds the slope, in acceptable time.
-    fn of_both(problem: &Problem<'_>) -> [Self; 2] {
-        let soil = problem.soil;
+    fn of_both(problem: &Problem) -> [Self; 2] {
+        let soil = problem.hardest_soil();
         // Lengths of an element over that on which a beam on soil decays, (4EI/k)^¼.
         let decay = soil.map_or(0.0, |soil| (0.25 * soil).sqrt().sqrt());
         let lengths = if decay < 300.0 { [0.1, 0.06] } else { [0.3, 0.18] };
@@ -94,9 +98,11 @@ impl Fineness {
         };
         let below = if problem.has_few_places() { [1e-11, 1e-12] } else { [1e-8, 1e-9] };
         let least = if soil.is_some() { [1.0, 2.0] } else { [1.0; 2] };
+        // A rope bends over √(EI/N) beside what carries it: *tuned* to an energy that both meshes have to 1e-6.
+        let rope = [8.0, 12.0].map(|parts| parts * problem.tension.abs().sqrt());
         let (parts, cuts) = ([32.0, 50.0], [0.5, 0.45]);
         [0, 1].map(|mesh| Self {
-            spacing: 1.0 / f64::max(parts[mesh], decay / lengths[mesh]),
+            spacing: 1.0 / f64::max(parts[mesh], decay / lengths[mesh]).max(rope[mesh]),
             least: least[mesh],
             cut: cuts[mesh],
             levels: levels[mesh],
@@ -105,10 +111,10 @@ impl Fineness {
     }
 }
 
-/// The answer to a case by finite elements.
+/// The answer to a scene file by finite elements.
 #[must_use]
-pub fn reference(case: &Case) -> Found {
-    let problem = Problem::of(case);
+pub fn reference(text: &str) -> Found {
+    let problem = Problem::read(text);
     if problem.contradicts() {
         return Found::NoAnswer;
     }
@@ -127,9 +133,9 @@ pub fn reference(case: &Case) -> Found {
         return Found::Unsettled;
     }
     let [coarse, numbers] = [first, second].map(|mesh| mesh.numbers());
-    let places = problem.places.iter().map(|place| place * case.draft.length).collect();
+    let places = problem.places.iter().map(|place| place * problem.length()).collect();
     let mut estimate = numbers.apart(&coarse);
-    if problem.soil.is_none() && !problem.has_few_places() {
+    if !problem.is_on_soil() && !problem.has_few_places() {
         estimate[3] += SHORT_ZONES;
     }
     Found::Answer(Box::new(Reference { places, estimate, numbers }))

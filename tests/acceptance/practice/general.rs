@@ -1,0 +1,110 @@
+//! Random scenes of the general beam: nearly all are certified, and no certified number differs from that of finite elements.
+
+use palkki::route::Status;
+use palkki::{proof::prove, solve_exactly};
+use palkki_evidence::elements::{Found, reference};
+use palkki_evidence::random::Feature::{Couple, Hinge, Joint, SoilSteps, Spring, Steps, Stop, Tension, Turning};
+use palkki_evidence::random::{Feature, general, sample_of};
+
+use super::Count;
+use crate::scenes;
+use crate::support::assert_table;
+
+/// Scenes with some features.
+struct Group {
+    name: &'static str,
+    of: &'static [Feature],
+    on_soil: bool,
+    /// How many there are, and how many thousandths of them are certified at least.
+    cases: u32,
+    wanted: u32,
+    /// Seeds of scenes that finite elements know to `COARSE` only.
+    coarse: &'static [u32],
+}
+
+const GROUPS: [Group; 6] = [
+    Group { name: "couples, steps", of: &[Couple, Steps], on_soil: false, cases: 800, wanted: 990, coarse: &[] },
+    Group { name: "and joints", of: &[Couple, Steps, Joint], on_soil: false, cases: 600, wanted: 995, coarse: &[] },
+    Group {
+        name: "and hinges",
+        of: &[Couple, Steps, Joint, Hinge],
+        on_soil: false,
+        cases: 600,
+        wanted: 960,
+        coarse: &[],
+    },
+    Group {
+        name: "springs, stops",
+        of: &[Spring, Turning, Stop],
+        on_soil: false,
+        cases: 600,
+        wanted: 995,
+        coarse: &[],
+    },
+    Group { name: "tension", of: &[Tension], on_soil: false, cases: 400, wanted: 995, coarse: &[] },
+    Group {
+        name: "steps of soil",
+        of: &[Couple, Steps, Joint, SoilSteps],
+        on_soil: true,
+        cases: 600,
+        wanted: 995,
+        coarse: &[],
+    },
+];
+
+/// The row of the first quarter of a group, and what is wrong with as many as are drawn.
+fn tried(group: &Group) -> (String, Vec<String>) {
+    let (mut count, mut pinned) = (Count::default(), String::new());
+    for i in 0..sample_of(group.cases) {
+        let text = general(u64::from(i), group.of, group.on_soil).text;
+        count.add(i, &text, group.coarse.contains(&i));
+        if count.cases == group.cases / 4 {
+            pinned = count.row(group.name);
+        }
+    }
+    if 1000 * count.certified < group.wanted * (count.cases - count.without) {
+        count.wrong.push("too few are certified".to_owned());
+    }
+    let row = count.row(group.name);
+    (pinned, count.wrong.into_iter().map(|wrong| format!("{row}\n{wrong}")).collect())
+}
+
+#[test]
+fn general_beams_are_certified_and_right() {
+    let groups = std::thread::scope(|scope| {
+        GROUPS.each_ref().map(|group| scope.spawn(|| tried(group))).map(|group| group.join().expect("no panic"))
+    });
+    let rows = groups.each_ref().map(|(row, _)| row.as_str()).join("\n");
+    let wrong: Vec<String> = groups.into_iter().flat_map(|(_, wrong)| wrong).collect();
+    let head = super::head();
+    assert!(wrong.is_empty(), "{head}\n{rows}\n{wrong:#?}");
+    assert_table!(
+        "general",
+        "What becomes of random general beams, by features; differences from finite elements as shares of the largest of a kind",
+        format!("{head}\n{rows}\n")
+    );
+}
+
+/// Scenes of the report: each is certified, agrees with finite elements, and has a proof.
+#[test]
+fn scenes_from_practice_agree_with_finite_elements() {
+    let names =
+        "column-moment curled-slab edge-column former gerber haunched-bridge lifting-bearing rail-joint ski-tapered";
+    for name in names.split_whitespace().map(|name| format!("practice/{name}")) {
+        let (scene, text) = (scenes::scene(&name), scenes::text(&name));
+        let solution = solve_exactly(&scene).expect("an answer");
+        assert_eq!(solution.verdict.status, Status::Certified, "{name}: {}", solution.verdict);
+        let Found::Answer(found) = reference(&text) else { panic!("{name}: the elements go on") };
+        assert_eq!(super::differ(&found, &super::numbers(&solution, &found), false), None, "{name}");
+        assert!(
+            found.estimate.iter().take(3).all(|estimate| *estimate <= super::SHARP),
+            "{name}: {:?}",
+            found.estimate
+        );
+        let proof =
+            prove(&scene, solution.exact.as_ref().expect("functions")).unwrap_or_else(|why| panic!("{name}: {why}"));
+        let [low, up] = crate::proof::bracket(&scene, &proof).unwrap_or_else(|why| panic!("{name}: {why}"));
+        let near = |energy: &palkki_evidence::authority::RBig| (energy.to_f64().value() - solution.state.energy).abs();
+        assert!(near(&low).max(near(&up)) <= 1e-12 * solution.state.energy.abs(), "{name}: {low} {up}");
+    }
+}
