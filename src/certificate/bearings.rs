@@ -57,7 +57,10 @@ pub(super) fn of_scene(
     let mut brackets = known.reactions.iter();
     let mut bracket = |support: &Support| {
         if support.stiffness.is_some() {
-            return brackets.next().copied();
+            let bracket = *brackets.next()?;
+            // A stop that the beam is clear of exerts nothing.
+            let is_clear = support.pushes_only && clears(enclosed, pair, support);
+            return Some(if is_clear { Some([0.0; 2]) } else { bracket });
         }
         if enclosed.support(support.at).is_none() {
             return clears(enclosed, pair, support).then_some(Some([0.0; 2]));

@@ -158,21 +158,11 @@ impl Proof {
     }
 
     /// The same with the forces of the supports that give, from left to right, and by how much each makes the moment jump.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Proof::of_stretches`].
-    pub(crate) fn of_stretches_on(
-        scene: &Scene,
-        witness: &[Stretch],
-        springs: &[[f64; 2]],
-    ) -> Result<Self, SceneError> {
+    pub(crate) fn of_stretches_on(scene: &Scene, witness: &[Stretch], on: &[[f64; 2]]) -> Result<Self, SceneError> {
         let scaled = scene.scaled()?;
         let held = bearings::held(&scaled.scene, witness)?;
-        let said = |i: usize| {
-            let [force, couple] = springs.get(i).copied().unwrap_or_default();
-            (true, [force / scaled.scale.force, couple / scaled.scale.moment()])
-        };
+        let units = [scaled.scale.force, scaled.scale.moment()];
+        let said = |i: usize| (false, on.get(i).map_or([0.0; 2], |on| [on[0] / units[0], on[1] / units[1]]));
         let said: Vec<_> = (0..held.beam().springs().len()).map(said).collect();
         let proven = with_springs(&held, scaled.balance, &said, |enclosed| {
             let cut = stretches::cut(enclosed, witness);

@@ -116,8 +116,7 @@ impl Discrete {
 
     /// The least that the ground gives below a node inside.
     pub(super) fn give_inside(&self) -> f64 {
-        let stiffest = self.ground.iter().map(|(_, k)| *k).reduce(f64::max);
-        stiffest.map_or(0.0, |k| self.whole_give(k))
+        self.ground.iter().map(|(_, k)| *k).reduce(f64::max).map_or(0.0, |k| self.whole_give(k))
     }
 
     /// What ground of this stiffness gives below a node inside.

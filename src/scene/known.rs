@@ -31,7 +31,7 @@ impl Scene {
     /// # Errors
     ///
     /// [`SceneError::NotKnown`] if not, naming what asked for it.
-    pub(crate) fn is_grounded_throughout(&self, what: &'static str) -> Result<(), SceneError> {
+    pub fn is_grounded_throughout(&self, what: &'static str) -> Result<(), SceneError> {
         let is_open = self.ground_parts().any(|(_, k)| k <= 0.0);
         if is_open { Err(SceneError::NotKnown { what, feature: "a gap in the foundation" }) } else { Ok(()) }
     }

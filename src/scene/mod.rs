@@ -115,7 +115,8 @@ impl Scene {
     pub(crate) fn held_where(&self, pressed: impl Fn(&Support) -> bool) -> Result<Self, SceneError> {
         let holds = self.beam.bearings().iter().filter(|bearing| pressed(bearing));
         let holds = holds.map(|bearing| Support { pushes_only: false, ..*bearing });
-        let beam = self.beam.clone().with_supports(self.beam.supports().iter().copied().chain(holds).collect())?;
+        let kept = self.beam.supports().iter().chain(self.beam.springs()).copied();
+        let beam = self.beam.clone().with_supports(kept.chain(holds).collect())?;
         Ok(Self { beam, ..self.clone() })
     }
 

@@ -7,8 +7,7 @@
 //! ½∫ EI (v̂'' − v*'')² + ½∫ k (w₊ − w*₊)² ≤ gap
 //! ```
 //!
-//! and in a joint `½ (k_j [v̂'] + M)²/k_j` more. Supports that give are loads that are said (`giving`), and so are couples of springs against
-//! turning; a hinge has no moment. `EI` and `k` are one number on a stretch; where `k = 0` nothing presses, and `v̂` is free.
+//! and in a joint `½ (k_j [v̂'] + M)²/k_j` more. Supports that give are supports at a level that is said (`giving`); a hinge has no moment. `EI` and `k` are one number on a stretch; where `k = 0` nothing presses, and `v̂` is free.
 //!
 //! Between pressed parts the beam hangs as on rigid ground. On one, with the polynomial `t` that is given, and cubics `δ` and `r` by
 //! which `v̂` and `M` are what they are at its two ends,
@@ -24,18 +23,16 @@
 //! place has `|v̂ − v*| ≤ e`, and so do groups of parts (`groups`).
 
 mod groups;
+mod held;
 mod walks;
 
-use self::groups::uncertainty;
 use self::walks::{Reached, Walk};
 use super::contact_node::EnclosedScene;
-use super::giving;
 use super::interval::Interval;
-use super::lines::lines;
 use super::polynomial::{Polynomial, TERMS, number};
 use super::pressing::PullCutOff;
 use super::proof::{Pair, Piece, Sprung};
-use super::reference::{Datum, Line};
+use super::reference::Datum;
 use super::span::Span;
 use super::tension::Taut;
 
@@ -65,7 +62,7 @@ struct OnSprings<'a> {
     sheared: Vec<Option<[Interval; 2]>>,
 }
 
-/// A pressed part or a support that gives, its least penetration, what a share of its pressure costs, that share of `√(∫p²/k)`, and `∫ k`.
+/// A pressed part, its least penetration, what a share of its pressure costs, that share of `√(∫p²/k)`, and `∫ k`.
 struct Carrier {
     place: Datum,
     sunk: f64,
@@ -88,8 +85,10 @@ struct Sums {
     square: Interval,
     /// `∫ k w₊²`.
     energy: Interval,
-    /// `Σ k_j [v̂']²`.
+    /// `Σ k_j [v̂']²`, and twice what supports that give take up.
     turned: Interval,
+    /// The forces of those, from left to right.
+    forces: Vec<(f64, Interval)>,
 }
 
 /// The cubic that has given values and slopes at `0` and `w`, less those of a polynomial; with a mean slope `a` that is known in another
@@ -322,74 +321,6 @@ impl OnSprings<'_> {
         sums.moments.push((ends, moment));
         Some(())
     }
-
-    /// Adds the joints at the right ends of stretches on which ground presses; those of what hangs are parts of it.
-    fn turn(&self, moments: &[[Interval; 2]], sums: &mut Sums) {
-        for (node, moment) in moments.iter().enumerate().filter(|(node, _)| self.is_pressed(*node, true)) {
-            let Some(k) = self.enclosed.joint(self.x(node)).filter(|k| 0.0 < *k).map(Interval::exact) else { continue };
-            let gap = [true, false].map(|left| self.enclosed.gap.jet(self.x(node), left)[1]);
-            let slopes = [true, false].map(|left| self.sunk(node, left).map_or(Interval::WHOLE, |w| w[1]));
-            let broken = if self.enclosed.gap.is_smooth_at(self.x(node)) { Interval::ZERO } else { gap[1] - gap[0] };
-            let kink = slopes[1] - slopes[0] + broken;
-            sums.square = sums.square + (k * kink + moment[0]).square() / k;
-            sums.turned = sums.turned + k * kink.square();
-        }
-    }
-
-    /// Adds supports that give: those that are loads, and springs against turning at supports that hold the level.
-    fn give(&self, moments: &[[Interval; 2]], sums: &mut Sums) -> Option<()> {
-        let [gap, energy] = giving::of_loads(self.enclosed, &sums.pieces);
-        (sums.square, sums.turned) = (sums.square + number(2) * gap, sums.turned + number(2) * energy);
-        for (node, [left, right]) in moments.iter().enumerate() {
-            let x = self.x(node);
-            let Some(gives) = self.enclosed.support(x).and_then(|support| support.gives) else { continue };
-            let (state, jump) = (self.end(node)?, *right - *left - self.enclosed.load.couple(x));
-            sums.square = sums.square + number(2) * gives.misfit([Interval::ZERO, jump], state);
-            sums.turned = sums.turned + number(2) * gives.energy(state);
-        }
-        for said in self.enclosed.said {
-            let Some([k, level]) = said.gives.spring else { continue };
-            let piece = sums.pieces.iter().find(|piece| piece.from <= said.x && said.x <= piece.to)?;
-            let sunk = (piece.v.at(Interval::length(piece.from, said.x)) - level).lo();
-            sums.carriers.push(Carrier {
-                place: Datum { presses: said.force.abs(), ..Datum::at(said.x) },
-                sunk: if said.gives.pushes { sunk } else { f64::INFINITY },
-                cost: number(1) / k.sqrt(),
-                stiffness: k,
-                length: 0.0,
-            });
-        }
-        sums.carriers.sort_by(|a, b| a.place.from.total_cmp(&b.place.from));
-        Some(())
-    }
-
-    /// The gap, at least the share of what is cut off that one place takes, and what holds the beam: its supports, or pressed parts.
-    fn held(&self, sums: &Sums) -> Option<(f64, Interval, Vec<Line>)> {
-        let enclosed = self.enclosed;
-        let pressing = sums.carriers.iter().map(|c| c.place).filter(|place| 0.0 < place.presses);
-        let mut places: Vec<Datum> = pressing.chain(enclosed.supports.iter().map(|s| Datum::at(s.x))).collect();
-        let fixed = enclosed.supports.iter().filter(|s| s.slope.is_some()).map(|s| s.x);
-        let lines = lines(enclosed, fixed, &mut places);
-        let [moment, share] = sums.cut_off.carried(&lines, enclosed.stiffness, enclosed.soft());
-        let same = |a: f64, b: f64| a.total_cmp(&b).is_eq();
-        let carrier = |at: &Datum| {
-            let first = sums.carriers.partition_point(|c| c.place.from < at.from);
-            let here = sums.carriers[first..].iter().take_while(|c| same(c.place.from, at.from));
-            here.filter(|_| at.presses.is_finite()).find(|c| same(c.place.to, at.to))
-        };
-        let cost = |place: &Datum| carrier(place).map_or(Interval::ZERO, |carrier| share * carrier.cost);
-        let changed = lines.iter().fold(Interval::ZERO, |sum, Line(a, b)| sum + cost(a) + cost(b));
-        let gap = ((sums.square.sqrt() + moment + sums.pull.sqrt() + changed).square() / number(2)).hi();
-        let known = |place: &Datum| {
-            let Some(Carrier { sunk, stiffness, .. }) = carrier(place) else { return Some(*place) };
-            let off = uncertainty(gap, *stiffness);
-            let carries = share.hi() < place.presses || sunk.is_infinite();
-            (off < *sunk && carries).then_some(Datum { uncertainty: off, ..*place })
-        };
-        let lines = lines.iter().map(|Line(left, right)| Some(Line(known(left)?, known(right)?)));
-        let lines = lines.collect::<Option<Vec<_>>>().filter(|lines| !lines.is_empty())?;
-        Some((gap, share, lines))
-    }
 }
 
 /// The pair of some stretches, if there is one.
@@ -413,11 +344,11 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, stretches: &[Stretch]) -> Optio
         }
     }
     on.turn(&moments, &mut sums);
-    on.give(&moments, &mut sums)?;
+    on.give(&moments, &shears, &mut sums)?;
     let (gap, share, lines) = on.held(&sums)?;
     let force = |&node: &usize| shears[node][1] - shears[node][0] + enclosed.load.point(on.x(node));
     let carried = nodes.iter().map(|node| (on.x(*node), force(node) + Interval::around_zero(share.hi()))).collect();
-    let zones = on.held_by_groups(&sums.carriers, gap);
+    let zones = on.held_by_groups(&sums, gap);
     let ground = Some(Sprung { energy: sums.energy / number(2), moments: sums.moments });
     let (pieces, turned, soft, taut) = (sums.pieces, sums.turned / number(2), enclosed.soft(), Taut::default());
     Some(Pair { pieces, gap, carried, lines, zones, turns_about: None, lifted: 0.0, ground, turned, soft, taut })

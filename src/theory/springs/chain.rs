@@ -11,6 +11,9 @@ use crate::theory::overhang::Overhang;
 use crate::theory::piecewise::PiecewiseScene;
 use crate::theory::span::Span;
 
+/// No deflection or moment of a dimensionless beam with a hinge is larger: a mechanism that only rounding holds moves by far more.
+const MOST: f64 = 1e12;
+
 /// A node of the chain: its block, `Θ`, the right-hand sides, and what is known of `h, h', M, V`. A spring against turning inside is a row
 /// of its own before that of its node.
 #[derive(Default)]
@@ -80,7 +83,9 @@ impl<'a> Beam<'a> {
         let meeting = hinge.map_or(rows.len() - 1, |i| places[i - lo]);
         factor_towards(&mut rows, meeting, |row| row.theta);
         solve_towards(&mut rows, meeting, |row| row.right);
-        if rows.iter().any(|row| row.block.failed().is_some()) {
+        // What nothing holds but rounding moves by any amount.
+        let moves = |row: &Row| row.block.step.iter().any(|value| MOST < value.abs());
+        if rows.iter().any(|row| row.block.failed().is_some() || hinge.is_some() && moves(row)) {
             return None;
         }
         let at = |row: &Row| [0, 2].map(|j| row.known[j].unwrap_or(row.block.step[j / 2]));

@@ -22,6 +22,7 @@ mod pushing;
 mod random;
 pub(crate) mod settled;
 mod springs;
+mod sprung;
 mod supports;
 mod surveys;
 mod tension;

@@ -8,16 +8,16 @@
 //! So some place of `I` has `|w₊ − w*₊| ≤ e < w`; there `w*₊ > 0`, hence `w* = w*₊` and `|v̂ − v*| = |w − w*| ≤ e`. Of a group the deepest
 //! parts are taken, as many as satisfy this. They carry nothing of the pulls that are cut off: any two carriers do that.
 
-use super::{Carrier, OnSprings};
+use super::{Carrier, OnSprings, Sums};
 use crate::certificate::kernel::interval::Interval;
 use crate::certificate::kernel::polynomial::number;
 use crate::certificate::kernel::reference::{Datum, Line};
 
 impl OnSprings<'_> {
     /// Lines through groups of pressed parts and supports: each with the next one and with the one behind it.
-    pub(super) fn held_by_groups(&self, carriers: &[Carrier], gap: f64) -> Vec<Line> {
+    pub(super) fn held_by_groups(&self, sums: &Sums, gap: f64) -> Vec<Line> {
         let mut groups: Vec<Vec<&Carrier>> = Vec::new();
-        for carrier in carriers.iter().filter(|carrier| 0.0 < carrier.sunk) {
+        for carrier in sums.carriers.iter().filter(|carrier| 0.0 < carrier.sunk) {
             match groups.last_mut() {
                 Some(group)
                     if self.is_one([group[0].place.from, carrier.place.to])
@@ -34,7 +34,7 @@ impl OnSprings<'_> {
             Some(Datum { reach, ..place })
         };
         let mut places: Vec<Datum> = groups.into_iter().filter_map(|group| known_in(group, gap)).collect();
-        places.extend(self.enclosed.supports.iter().map(|s| Datum::at(s.x)));
+        places.extend(self.supports(sums).into_iter().filter(|place| place.presses.is_infinite()));
         let mut places: Vec<Datum> = places.into_iter().filter_map(within).collect();
         places.sort_by(|a, b| a.from.total_cmp(&b.from));
         let pairs = (0..places.len()).flat_map(|i| [(i, i + 1), (i, i + 2)]);

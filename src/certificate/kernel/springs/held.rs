@@ -1,0 +1,86 @@
+//! What joints and supports that give add to the gap, and what holds a beam on an elastic foundation.
+
+use super::groups::uncertainty;
+use super::{Carrier, OnSprings, Sums};
+use crate::certificate::kernel::contact_node::EnclosedSupport;
+use crate::certificate::kernel::giving;
+use crate::certificate::kernel::interval::Interval;
+use crate::certificate::kernel::lines::lines;
+use crate::certificate::kernel::polynomial::number;
+use crate::certificate::kernel::reference::{Datum, Line};
+
+impl OnSprings<'_> {
+    /// Adds the joints at the right ends of stretches on which ground presses; those of what hangs are parts of it.
+    pub(super) fn turn(&self, moments: &[[Interval; 2]], sums: &mut Sums) {
+        for (node, moment) in moments.iter().enumerate().filter(|(node, _)| self.is_pressed(*node, true)) {
+            let Some(k) = self.enclosed.joint(self.x(node)).filter(|k| 0.0 < *k).map(Interval::exact) else { continue };
+            let gap = [true, false].map(|left| self.enclosed.gap.jet(self.x(node), left)[1]);
+            let slopes = [true, false].map(|left| self.sunk(node, left).map_or(Interval::WHOLE, |w| w[1]));
+            let broken = if self.enclosed.gap.is_smooth_at(self.x(node)) { Interval::ZERO } else { gap[1] - gap[0] };
+            let kink = slopes[1] - slopes[0] + broken;
+            sums.square = sums.square + (k * kink + moment[0]).square() / k;
+            sums.turned = sums.turned + k * kink.square();
+        }
+    }
+
+    /// Adds supports that give, by the forces and the jumps of the moment that the pair has there, and those that are loads.
+    pub(super) fn give(&self, moments: &[[Interval; 2]], shears: &[[Interval; 2]], sums: &mut Sums) -> Option<()> {
+        let [gap, energy] = giving::of_loads(self.enclosed, &sums.pieces);
+        (sums.square, sums.turned) = (sums.square + number(2) * gap, sums.turned + number(2) * energy);
+        for (node, ([left, right], shear)) in moments.iter().zip(shears).enumerate() {
+            let (x, load) = (self.x(node), self.enclosed.load);
+            let Some(support) = self.enclosed.support(x) else { continue };
+            let Some(gives) = support.gives else { continue };
+            let (state, jump) = (self.end(node)?, *right - *left - load.couple(x));
+            let mut force = shear[1] - shear[0] + load.point(x);
+            if support.pushes() {
+                sums.cut_off.force(x, force);
+                force = force.positive_part();
+            }
+            sums.forces.push((x, force));
+            sums.square = sums.square + number(2) * gives.misfit([force, jump], state);
+            sums.turned = sums.turned + number(2) * gives.energy(state);
+        }
+        Some(())
+    }
+
+    /// The supports as data.
+    pub(super) fn supports(&self, sums: &Sums) -> Vec<Datum> {
+        let force = |x: f64| sums.forces.iter().find(|force| force.0.total_cmp(&x).is_eq());
+        let of = |support: &EnclosedSupport| {
+            self.enclosed.datum(support, force(support.x).map_or(Interval::ZERO, |force| force.1))
+        };
+        self.enclosed.supports.iter().map(of).filter(|datum| 0.0 < datum.presses).collect()
+    }
+
+    /// The gap, at least the share of what is cut off that one place takes, and what holds the beam: its supports, or pressed parts.
+    pub(super) fn held(&self, sums: &Sums) -> Option<(f64, Interval, Vec<Line>)> {
+        let enclosed = self.enclosed;
+        let pressing = sums.carriers.iter().map(|c| c.place).filter(|place| 0.0 < place.presses);
+        let mut places: Vec<Datum> = pressing.chain(self.supports(sums)).collect();
+        let fixed = enclosed.supports.iter().filter(|s| s.slope.is_some()).map(|s| s.x);
+        let lines = lines(enclosed, fixed, &mut places);
+        let [moment, share] = sums.cut_off.carried(&lines, enclosed.stiffness, enclosed.soft());
+        let same = |a: f64, b: f64| a.total_cmp(&b).is_eq();
+        let carrier = |at: &Datum| {
+            let first = sums.carriers.partition_point(|c| c.place.from < at.from);
+            let here = sums.carriers[first..].iter().take_while(|c| same(c.place.from, at.from));
+            here.filter(|_| at.presses.is_finite()).find(|c| same(c.place.to, at.to))
+        };
+        let cost = |place: &Datum| carrier(place).map_or(Interval::ZERO, |carrier| share * carrier.cost);
+        let changed = lines.iter().fold(Interval::ZERO, |sum, Line(a, b)| sum + cost(a) + cost(b));
+        let gap = ((sums.square.sqrt() + moment + sums.pull.sqrt() + changed).square() / number(2)).hi();
+        let known = |place: &Datum| {
+            let Some(Carrier { sunk, stiffness, .. }) = carrier(place) else {
+                // One that only pushes is pressed, and so a spring.
+                let is_pressed = gap < place.energy && share.hi() < place.presses;
+                return (place.presses.is_infinite() || is_pressed).then_some(*place);
+            };
+            let off = uncertainty(gap, *stiffness);
+            (off < *sunk && share.hi() < place.presses).then_some(Datum { uncertainty: off, ..*place })
+        };
+        let lines = lines.iter().map(|Line(left, right)| Some(Line(known(left)?, known(right)?)));
+        let lines = lines.collect::<Option<Vec<_>>>().filter(|lines| !lines.is_empty())?;
+        Some((gap, share, lines))
+    }
+}
