@@ -300,6 +300,7 @@ fn parts<'a>(
     const PARTS: u32 = 16;
     /// The same where there are many pieces, as under an axial force: *tuned* on 2,000 of them.
     const FEWER: u32 = 2;
+    /// Of so many: *tuned* on the same.
     const MANY: usize = 256;
     /// Parts that are looked at together: *tuned* on surveys of 2·10⁴ and 2·10⁵ points, of which one touches.
     const TOGETHER: usize = 64;

@@ -168,6 +168,7 @@ impl Beam {
 /// Into how many parts a stretch is cut, so that none is longer than [`LONGEST`].
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "limited just before")]
 fn parts_of(length: f64, tension: f64, stiffness: f64) -> u32 {
+    /// More than there is memory for in an exact solution, which is refused before.
     const MOST: f64 = 1e6;
     (length * (tension.abs() / stiffness).sqrt() / LONGEST).ceil().clamp(1.0, MOST) as u32
 }
