@@ -69,10 +69,6 @@ impl Discrete {
     }
 
     /// The same on a coarser grid, with the sizes of this one. Joints and steps of the bending stiffness are at the nearest nodes.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`new`](Self::new).
     pub(crate) fn coarser(&self, scene: &Scene, intervals: usize) -> Result<Self, SceneError> {
         Ok(Self { sizes: self.sizes, ..Self::unmeasured(scene, intervals, true)? })
     }
