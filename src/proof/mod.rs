@@ -4,17 +4,18 @@
 //! Both energies follow from them without rounding, and the energy of the true beam lies between:
 //!
 //! ```text
-//! J(v) = ½∫EI v''² − ∫q v − ΣP v + ½∫k (v − g)₊²
-//! D(M) = −½∫M²/EI − ∫g p − ΣF d + ΣT φ − ½∫p²/k,     p = M'' + q ≥ 0,  F = [M'] + P,  T = [M]
-//! D ≤ J* ≤ J
+//! J(v) = ½∫EI v''² + ½∫N v'² − ∫q v − ΣP v − ΣC v' + ½∫k (v − g)₊² + ½Σk (v − d)² + ½Σk (v' − φ)² + ½Σk [v']²
+//! D(M) = −½∫M²/EI − ½∫N v'² − ∫g p − ΣF d + ΣT φ − ½∫p²/k − ½ΣF²/k − ½ΣT²/k − ½ΣM²/k
+//! p = M'' + q + N v'' ≥ 0,  F = [M'] + N [v'] + P,  T = [M] − C,     D ≤ J* ≤ J
 //! ```
 //!
 //! The program `report/check.rs` reads a scene file and a proof, knows nothing of this library, and believes neither.
 //!
 //! The places of contact are those of the exact answer, as they are. On rigid ground (`contact_nodes`) the beam is the ground in its zones
 //! and the exact beam in its spans, with slopes that follow from the places. On ground that gives (`stretches`) it has the polynomials of
-//! the answer, and cubics that make the ends of cells meet. `span` has the beam between two places, `assembly` the cells: what rounding
-//! leaves in the ground is lifted out of it. What pulls by rounding is not repaired, and there is no proof then.
+//! the answer, and cubics that make the ends of cells meet. `span` has the beam between two places, `equilibrium` its moments, `assembly` the
+//! cells: what rounding leaves in the ground is lifted out of it. What pulls by rounding is not repaired, and there is no proof then.
+//! Under tension the beam is no polynomial: `v` is one of many terms on short parts, and the bracket says how close it is.
 
 mod assembly;
 mod contact_nodes;
