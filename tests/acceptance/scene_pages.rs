@@ -140,10 +140,10 @@ fn by_method(row: impl Fn(Method) -> Vec<String>) -> String {
 
 fn page(scene: &Scene) -> String {
     let exact = theory::solve(scene).expect("the scene is in range");
-    let fits = |intervals: usize| {
-        let grid = Grid::uniform(scene, intervals).expect("a grid");
-        scene.beam().supports().iter().all(|support| grid.node_at(support.at).is_some())
-    };
+    let witness = Witness::known(scene, &exact);
+    // With a node at each support, joint and change of the stiffness.
+    let least = Grid::least_fitting(scene).expect("a grid that fits");
+    let fits = |intervals: usize| intervals.is_multiple_of(least);
     let fitting = |intervals: usize| (intervals..=2 * intervals).find(|n| fits(*n)).expect("a grid that fits");
     let solved = |method, intervals| run(scene, method, Solver::ActiveSet, fitting(intervals));
 

@@ -4,6 +4,7 @@ use super::*;
 use crate::certificate::in_intervals;
 use crate::certificate::kernel::contact_node::EnclosedSupport;
 use crate::certificate::kernel::distance::{anywhere, factor, on_part};
+use crate::certificate::kernel::reference::Line;
 use crate::certificate::quantities::energy;
 use crate::scene::{Balance, Beam, CoupleLoad, Foundation, Load, Scene};
 
