@@ -238,11 +238,14 @@ fn clearance(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Vec<P
     let points = zip(&curves.x, &curves.clearance);
     let [most, small] = curves.clearance_extremes;
     finite("a clearance above a foundation", most.max)?;
+    // Only above a gap in the foundation there is none.
+    if !scene.ground_parts().any(|(_, stiffness)| stiffness <= 0.0) {
+        curves.clearance.iter().try_for_each(|h| finite("a clearance above a foundation", *h).map(|_| ()))?;
+    }
     let panel = |name: &str, points: Vec<Place>, at: f64, value: f64| {
         let y = Axis::new(name).unit(UnitLabels::of_axes(scene.units()).length).including(&[0.0]);
         let touching = touching(&points, curves);
         let mut panel = Panel::new(along(scene), y).tall(380.0).room(1.75 * TEXT, 20.0);
-        // Above a gap in the foundation there is none.
         let stretches =
             points.chunk_by(|a, b| a[1].is_finite() && b[1].is_finite()).filter(|part| part[0][1].is_finite());
         panel.layers.extend(stretches.map(|part| Layer::line(part.to_vec(), Style::solid(Color::BLUE))));

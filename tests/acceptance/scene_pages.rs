@@ -140,7 +140,6 @@ fn by_method(row: impl Fn(Method) -> Vec<String>) -> String {
 
 fn page(scene: &Scene) -> String {
     let exact = theory::solve(scene).expect("the scene is in range");
-    let witness = Witness::known(scene, &exact);
     // With a node at each support, joint and change of the stiffness.
     let least = Grid::least_fitting(scene).expect("a grid that fits");
     let fits = |intervals: usize| intervals.is_multiple_of(least);
