@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use super::summed::{BATCH, Change, Summed, Walked};
-use crate::scene::{Grid, Held, Scene, Spring, is_same_place};
+use crate::scene::{Grid, Held, Scene, is_same_place};
 use crate::state::{ContactState, Nodes, Reactions, SupportForce};
 
 /// A state whose worst residual is at most this is certified.
@@ -64,7 +64,7 @@ impl Kkt {
         let Recorded { nodes, ref grid, first, ref supports, ref summed, .. } = recorded;
         let Nodes { x, deflection: v, clearance: h, contact_force: p, moment, .. } = nodes;
         let ([force, depth], length, step) = (recorded.sizes(scene), scene.beam().length(), grid.spacing());
-        let gives = scene.ground_stiffness().is_some() || scene.stops().next().is_some();
+        let gives = scene.ground_stiffness().is_some();
         let (mut places, mut depths) = ([0.0; BATCH], [0.0; BATCH]);
         let mut worst = [0.0; 7];
         let mut at_supports = [0.0; 2];
@@ -103,11 +103,7 @@ impl Kkt {
             worst = largest_each(worst, rows);
         });
         let [penetration, tension, complementarity, elastic, bent, clearances, out_of_place] = worst;
-        let [mut low, couples] = at_supports;
-        for (node, spring, force) in &recorded.springs {
-            let v = v.get(node.wrapping_sub(first)).copied().unwrap_or(f64::NAN);
-            low = largest([low, (v - spring.deflection - force / spring.stiffness).abs()]);
-        }
+        let [low, couples] = at_supports;
         let turned = supports.iter().filter_map(|support| support.held.slope).zip(tangents);
         let turned = turned.map(|(held, slope)| (slope - held).abs() * length);
         let [shear, remaining] = summed.left_over;
@@ -147,8 +143,6 @@ struct Recorded<'a> {
     /// The node of the grid that is the first of the state.
     first: usize,
     supports: Vec<RecordedSupport>,
-    /// Those that give and hold the beam both ways: node, what they are, and their force in the state.
-    springs: Vec<(usize, Spring, f64)>,
     hinges: Vec<usize>,
     /// The beam under `t = q − p − R`.
     summed: Summed,
@@ -197,22 +191,15 @@ impl<'a> Recorded<'a> {
             })
         };
         let supports: Vec<_> = held.into_iter().map(support).collect::<Option<_>>()?;
-        let spring = |spring: Spring| {
-            let recorded = state.supports.iter().find(|recorded| is_same_place(recorded.at, spring.at, length))?;
-            Some((grid.node_at(spring.at)?, spring, recorded.force))
-        };
-        let springs = scene.springs().filter(|spring| !spring.pushes_only);
-        let springs: Vec<_> = springs.map(spring).collect::<Option<_>>()?;
         let mut forces = grid.nodal_loads(scene);
         let [load, contact] = [&forces, p].map(|forces| forces.iter().map(|force| force.abs()).sum::<f64>());
         forces[first..].iter_mut().zip(p).for_each(|(q, p)| *q -= p);
         supports.iter().for_each(|support| forces[support.node] -= support.recorded.force);
-        springs.iter().for_each(|(node, _, force)| forces[*node] -= force);
         let changes = changes(scene, &grid, &supports)?;
         let hinges = changes.iter().filter(|change| change.is_hinge()).map(|change| change.node).collect();
         let stiffness = scene.beam().bending_stiffness();
         let summed = Summed::of(forces, changes, grid.spacing(), stiffness, nodes.discretisation);
-        Some(Self { nodes, grid, first, supports, springs, hinges, summed, load, contact })
+        Some(Self { nodes, grid, first, supports, hinges, summed, load, contact })
     }
 
     /// How far the reactions at the left and at the right end are off the forces of the supports there, and how far at most the force
@@ -221,11 +208,9 @@ impl<'a> Recorded<'a> {
         let length = scene.beam().length();
         let pushed =
             |at: f64| Some((at, *self.nodes.contact_force.get(self.grid.node_at(at)?.checked_sub(self.first)?)?));
-        let places = scene.bearings().map(|bearing| bearing.at).chain(scene.stops().map(|stop| stop.at));
-        let pushed: Vec<_> = places.map(pushed).collect::<Option<_>>()?;
+        let pushed: Vec<_> = scene.bearings().map(|bearing| pushed(bearing.at)).collect::<Option<_>>()?;
         let of_end = |x: f64| {
             let held = self.supports.iter().map(|s| (s.held.at, s.recorded.force));
-            let held = held.chain(self.springs.iter().map(|(_, spring, force)| (spring.at, *force)));
             held.chain(pushed.iter().copied()).find(|(at, _)| is_same_place(*at, x, length)).map_or(0.0, |s| s.1)
         };
         let recorded = |at: f64| state.supports.iter().find(|s| s.pushes_only && is_same_place(s.at, at, length));
@@ -279,15 +264,6 @@ impl<'a> Recorded<'a> {
         let mut known: Vec<_> = self.supports.first().map(of_support).into_iter().collect();
         known.extend(self.supports[1.min(self.supports.len())..].last().map(of_support));
         let p = &self.nodes.contact_force;
-        if known.len() < 2 && self.supports.iter().all(|support| support.held.slope.is_none()) {
-            let recorded = |(node, ..): &(usize, Spring, f64)| {
-                Some((*node, *self.nodes.deflection.get(node.checked_sub(self.first)?)?))
-            };
-            known.extend(self.springs.first().and_then(recorded));
-            known.extend(
-                self.springs[1.min(self.springs.len())..].last().and_then(recorded).filter(|_| known.len() < 2),
-            );
-        }
         while known.len() < 2 && self.supports.iter().all(|support| support.held.slope.is_none()) {
             let taken = known.first().map(|(node, _)| *node);
             let turns = |i: usize| p[i] * taken.map_or(1.0, |taken| self.grid.place((i + self.first).abs_diff(taken)));

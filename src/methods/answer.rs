@@ -80,27 +80,16 @@ impl Nodal {
         let first = discrete.nodes().start;
         let mut levels = vec![0.0; clearance.len()];
         discrete.touchable().for_each(|node| levels[node - first] = discrete.gap(node) - clearance[node - first]);
-        let mut clearance = clearance.to_vec();
-        // From the foot of a spring to the beam.
-        for ((h, node), p) in
-            clearance.iter_mut().zip(discrete.nodes()).zip(&contact_force).filter(|_| discrete.gives())
-        {
-            *h -= discrete.give(node) * p;
-        }
         let held = discrete.above(levels);
         let beam = ContactSet::at(&held, held.touchable()).solve(&held, discretisation);
         let mut deflection = beam.map_or_else(
             |_| vec![f64::NAN; clearance.len()],
             |beam| held.depths.iter().zip(&beam.clearance).map(|(level, h)| level - h).collect(),
         );
-        // Held at the foot of a spring, the beam is deeper by what that is pressed by.
-        for node in discrete.touchable() {
-            deflection[node - first] += discrete.give(node) * contact_force[node - first];
-        }
         for support in discrete.supports().inner() {
             deflection[support.node - first] = support.held.deflection;
         }
-        let mut nodal = Self { discretisation, deflection, clearance, contact_force };
+        let mut nodal = Self { discretisation, deflection, clearance: clearance.to_vec(), contact_force };
         nodal.leave_open(discrete);
         nodal
     }
@@ -147,7 +136,7 @@ pub fn contact_state(mut discrete: Discrete, nodal: Nodal) -> ContactState {
     let mut loads = std::mem::take(&mut discrete.loads);
     let mut energy = take_contact_forces(&mut loads[nodes.clone()], &nodal);
     let pressure = pressure(&discrete, &nodal);
-    energy += if discrete.gives() { pressed(&discrete, &nodal) } else { 0.0 };
+    energy += pressure.map_or(0.0, |_| pressed(&discrete, &nodal));
     let discrete = discrete.basic(loads);
     let &Discrete { grid, intervals, stiffness, .. } = &discrete;
     let carried = held_beam::on_supports(&discrete, nodal.discretisation);
@@ -216,12 +205,6 @@ fn support_forces(
         if !nodes.contains(&support.node) {
             energy -= 0.5 * discrete.loads[support.node] * support.held.deflection;
         }
-    }
-    for spring in discrete.supports().springs() {
-        let force = spring.stiffness * (nodal.deflection[spring.node - nodes.start] - spring.deflection);
-        let held = SupportForce { at: spring.at, force, moment: None, couple: 0.0, pushes_only: false };
-        forces.push((spring.node, held));
-        energy -= 0.5 * force * spring.deflection;
     }
     forces.extend(bearings.iter().map(|bearing| {
         let force = nodal.contact_force[bearing.node - nodes.start];
@@ -302,7 +285,7 @@ fn pressure(discrete: &Discrete, nodal: &Nodal) -> Option<Pressure> {
         Pressure { max: share * p / discrete.spacing, at: discrete.grid.place(node) }
     };
     let all = discrete.nodes().zip(&nodal.contact_force).map(at);
-    all.filter(|_| discrete.ground_gives()).max_by(|a, b| a.max.total_cmp(&b.max))
+    all.filter(|_| discrete.gives()).max_by(|a, b| a.max.total_cmp(&b.max))
 }
 
 /// Extremes with places along the beam instead of numbers of nodes.

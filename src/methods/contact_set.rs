@@ -35,9 +35,7 @@
 use std::ops::{Range, RangeInclusive};
 
 use super::Discrete;
-use super::discrete::as_float;
-use super::held_beam::Beam;
-use super::overhang::Overhang;
+use super::held_beam::{Beam, Overhang};
 use super::span::{Span, links};
 use super::springs;
 use super::supports::NodeSupport;
@@ -52,8 +50,6 @@ pub(crate) struct ContactSet {
     nodes: Vec<usize>,
     /// Those among them that nothing holds, and at which the beam changes.
     free: Vec<usize>,
-    /// Those that nothing but supports that give hold.
-    sprung: Vec<usize>,
     /// Whether the beam hangs over beyond the first and the last of them. Otherwise it is cut there, and free of moment.
     overhangs: [bool; 2],
 }
@@ -102,13 +98,9 @@ impl ContactSet {
             }
         });
         supports.iter().for_each(|support| hold(&mut nodes, support));
-        let springs = discrete.supports().springs().iter().map(|spring| spring.node);
-        let sprung: Vec<usize> =
-            springs.filter(|node| part.contains(node) && nodes.binary_search(node).is_err()).collect();
-        let nodes = merged(nodes, &sprung);
         let changes = discrete.divisions().nodes().iter().copied().filter(|node| part.contains(node));
         let free: Vec<usize> = changes.filter(|node| nodes.binary_search(node).is_err()).collect();
-        Self { nodes: merged(nodes, &free), free, sprung, overhangs }
+        Self { nodes: merged(nodes, &free), free, overhangs }
     }
 
     /// Contact forces and clearances at all nodes but supported ends, of the beam that touches here.
@@ -140,11 +132,6 @@ impl ContactSet {
                 *contact_force = force;
             }
         });
-        for spring in discrete.supports().springs() {
-            if let Some(contact_force) = nodal.contact_force.get_mut(spring.node.wrapping_sub(range.start)) {
-                *contact_force = beam.beside_spring(spring, *contact_force);
-            }
-        }
         beam.pressed(|node, force| {
             if let Some(contact_force) = nodal.contact_force.get_mut(node.wrapping_sub(range.start)) {
                 *contact_force = force;
@@ -184,8 +171,7 @@ impl ContactSet {
         let right = (self.overhangs[1] && last < end).then(|| Overhang::of(span(last, end), 1, discrete.loads[end]));
         let overhangs = [left, right];
         let outermost = overhangs.map(|overhang| overhang.map_or(0.0, |overhang| overhang.moment));
-        let changes = !discrete.divisions().nodes().is_empty() || !discrete.supports().springs().is_empty();
-        let [moments, sunk] = if discrete.gives() || changes {
+        let [moments, sunk] = if discrete.gives() || !discrete.divisions().nodes().is_empty() {
             let forces = overhangs.map(|overhang| overhang.map_or(0.0, |overhang| overhang.force));
             let left = [0, 1].map(|side| [outermost[side], forces[side]]);
             springs::solve(discrete, discretisation, &self, &span, left)?
@@ -198,7 +184,6 @@ impl ContactSet {
             span,
             nodes: self.nodes,
             free: self.free,
-            sprung: self.sprung,
             moments,
             sunk,
             overhangs,
@@ -215,31 +200,6 @@ impl ContactSet {
         let mut left: Vec<usize> = self.nodes.drain(..left.min(self.nodes.len())).collect();
         left.reverse();
         [left, right]
-    }
-
-    /// The level from which the deflection of a node that something holds counts.
-    pub(super) fn level(&self, discrete: &Discrete, node: usize) -> f64 {
-        let spring = discrete.supports().spring(node).filter(|_| self.is_sprung(node));
-        spring.map_or_else(|| discrete.level(node), |spring| spring.deflection)
-    }
-
-    /// Whether nothing but a support that gives holds a node.
-    #[inline]
-    pub(super) fn is_sprung(&self, node: usize) -> bool {
-        !self.sprung.is_empty() && self.sprung.binary_search(&node).is_ok()
-    }
-
-    /// By how much the slope of the polyline through three nodes that something holds grows at the middle one.
-    pub(super) fn bend(&self, discrete: &Discrete, [left, node, right]: [usize; 3]) -> f64 {
-        if [left, node, right].iter().all(|node| !self.is_sprung(*node)) {
-            return discrete.bend(left, node, right);
-        }
-        let levels = [left, node, right].map(|node| self.level(discrete, node));
-        let chord = |from: f64, to: f64, steps: usize| (to - from) / (discrete.spacing * as_float(steps));
-        let held = || discrete.supports().at(node).and_then(|support| support.held.slope).unwrap_or(0.0);
-        let before = if left == node { held() } else { chord(levels[0], levels[1], node - left) };
-        let behind = if right == node { held() } else { chord(levels[1], levels[2], right - node) };
-        behind - before
     }
 
     /// The nodes.

@@ -69,6 +69,10 @@ impl Discrete {
     }
 
     /// The same on a coarser grid, with the sizes of this one. Joints and steps of the bending stiffness are at the nearest nodes.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`new`](Self::new).
     pub(crate) fn coarser(&self, scene: &Scene, intervals: usize) -> Result<Self, SceneError> {
         Ok(Self { sizes: self.sizes, ..Self::unmeasured(scene, intervals, true)? })
     }
@@ -76,7 +80,7 @@ impl Discrete {
     fn unmeasured(scene: &Scene, intervals: usize, coarse: bool) -> Result<Self, SceneError> {
         scene.is_grounded_throughout("a method on a grid")?;
         scene.has_no_tension("a method on a grid")?;
-        scene.gives_as_known("a method on a grid")?;
+        scene.is_firm("a method on a grid")?;
         let grid = Grid::uniform(scene, intervals)?;
         let supports = Supports::on(&grid, scene)?;
         let open = scene.foundation().is_none() && !supports.bearings().is_empty();
@@ -103,10 +107,8 @@ impl Discrete {
     pub fn give(&self, node: usize) -> f64 {
         match self.supports.bearings() {
             [] => self.grid.give(&self.ground, node, |_| false),
-            _ => match self.supports.pushing(node) {
-                Some(bearing) => bearing.give,
-                None => self.grid.give(&self.ground, node, |node| self.supports.is_sunk(node)),
-            },
+            _ if self.supports.pushing(node).is_some() => 0.0,
+            _ => self.grid.give(&self.ground, node, |node| self.supports.is_sunk(node)),
         }
     }
 
@@ -127,14 +129,9 @@ impl Discrete {
         beside.fold(0.0, |most, (_, k)| k.max(most))
     }
 
-    /// Whether anything gives that the beam may touch: the ground, or a support that only pushes.
+    /// Whether the ground gives at all.
     #[must_use]
     pub fn gives(&self) -> bool {
-        self.ground_gives() || self.supports.bearings().iter().any(|bearing| 0.0 < bearing.give)
-    }
-
-    /// Whether the ground gives at all.
-    pub(super) fn ground_gives(&self) -> bool {
         !self.ground.is_empty()
     }
 
@@ -337,7 +334,12 @@ impl Discrete {
 
     /// The same without loads, and with all supports and slopes at zero: what is left is linear in contact forces.
     pub(super) fn bare(&self) -> Self {
-        self.on(self.supports.at_zero(), vec![0.0; self.loads.len()])
+        let mut all = self.supports.all().to_vec();
+        for support in &mut all {
+            support.held.deflection = 0.0;
+            support.held.slope = support.held.slope.map(|_| 0.0);
+        }
+        self.on(self.supports.holding(all), vec![0.0; self.loads.len()])
     }
 }
 

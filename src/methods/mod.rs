@@ -22,7 +22,6 @@ mod divisions;
 mod extremes;
 mod force;
 mod held_beam;
-mod overhang;
 mod program;
 mod rigid;
 pub(crate) mod span;

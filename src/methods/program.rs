@@ -74,9 +74,7 @@ impl Qp for Program<'_> {
 
     fn sparse(&self) -> Option<SparseForm> {
         // Of a few places in clearances the matrix is the better form: nothing has to be eliminated.
-        // On ground that gives a clearance is that of a foot, and supports that give would join it to what that is pressed by.
-        let joined = self.discrete.gives() && !self.discrete.supports().springs().is_empty();
-        if (self.discrete.is_open() || joined) && !self.method.is_free_in_contact() {
+        if self.discrete.is_open() && !self.method.is_free_in_contact() {
             return Some(SparseForm::of_matrix(self));
         }
         let form = if self.method.is_free_in_contact() { sparse::complementary } else { sparse::potential };

@@ -51,9 +51,7 @@ impl Discrete {
     /// The same beam, held at one node alone at a given slope, where it is held or touches the ground now; above ground at zero.
     fn turned_about(&self, node: usize, slope: f64) -> Self {
         let below = self.supports().at(node).map_or(0.0, |support| support.below);
-        // What gives and only pushes is pressed by all of the load.
-        let sunk = self.supports().pushing(node).map_or(0.0, |_| self.give(node) * self.resultant()[0]);
-        let (at, deflection) = (self.grid.place(node), self.level(node) + sunk);
+        let (at, deflection) = (self.grid.place(node), self.level(node));
         let held =
             Held { at, deflection, slope: Some(slope), turning: None, at_level: [false; 2], tangent: [false; 2] };
         self.on(self.supports().holding(vec![NodeSupport { node, held, below }]), self.loads.clone())
@@ -196,10 +194,7 @@ pub fn balanced(discrete: &Discrete, discretisation: Discretisation, node: usize
     let motion = (least < most).then(|| Motion { about: discrete.grid.place(node), slope: [end(least), end(most)] });
     let deflection = deflections(0.0_f64.max(least).min(most))?;
     // Where the slope is the limit, rounding may be left of the clearance.
-    let mut clearance: Vec<f64> = clearances(&deflection).into_iter().map(|h| h.max(0.0)).collect();
-    if let Some(i) = node.checked_sub(nodes.start).filter(|i| *i < nodes.len() && discrete.gives()) {
-        clearance[i] = discrete.depths[i] - deflection[i];
-    }
+    let clearance = clearances(&deflection).into_iter().map(|h| h.max(0.0)).collect();
     let mut contact_force = vec![0.0; nodes.len()];
     if discrete.supports().at(node).is_none() {
         contact_force[node - nodes.start] = discrete.resultant()[0];
@@ -213,9 +208,7 @@ pub fn balanced(discrete: &Discrete, discretisation: Discretisation, node: usize
 /// above which their resultant is, or the only contact that was found.
 #[must_use]
 pub fn single_contact(discrete: &Discrete, balance: &Balance, nodal: &Nodal) -> Option<usize> {
-    // A support that gives holds the beam together with any contact.
-    let is_held = *balance == Balance::Held || !discrete.supports().springs().is_empty();
-    if is_held || nodal.contact_force.iter().any(|p| p.is_nan()) {
+    if *balance == Balance::Held || nodal.contact_force.iter().any(|p| p.is_nan()) {
         return None;
     }
     let [force, moment] = discrete.resultant();

@@ -27,7 +27,6 @@
 //!
 //! With other choices the libraries do not converge on 30 000 intervals, or on 3000.
 
-use super::supports::NodeSpring;
 use super::{Discrete, Method};
 use crate::qp::{Sizes, SparseForm, UpperColumns};
 use crate::state::Discretisation;
@@ -95,9 +94,7 @@ pub fn unsigned(discrete: &Discrete, method: Method) -> Vec<(String, f64)> {
             depth * spring_unit(discrete, node, depth, force),
         )
     };
-    let stands = |spring: &NodeSpring| (format!("force of the support at x = {:?}", spring.at), force);
-    let supports = if method.is_free_in_contact() { discrete.supports().springs() } else { &[] };
-    Hinge::all(discrete).iter().map(name).chain((0..springs).map(spring)).chain(supports.iter().map(stands)).collect()
+    Hinge::all(discrete).iter().map(name).chain((0..springs).map(spring)).collect()
 }
 
 /// The units of the variables, as found above.
@@ -180,16 +177,7 @@ pub(super) fn potential(discrete: &Discrete, discretisation: Discretisation, siz
         linear.extend(loads);
         signed += n;
     }
-    // Supports that give, by how far the beam is from where they have no force.
-    let spring = |unknown: usize| discrete.supports().spring(discrete.node(unknown));
-    for unknown in 0..n {
-        let node = discrete.node(unknown);
-        let stiff = |k: f64| k * (depth / force);
-        quadratic.push(spring(unknown).map(|spring| stiff(spring.stiffness)));
-        let preload =
-            |spring: &NodeSpring| stiff(spring.stiffness) * ((discrete.gap(node) - spring.deflection) / depth);
-        linear[signed + unknown] -= spring(unknown).map_or(0.0, preload);
-    }
+    (0..n).for_each(|_| quadratic.push(None));
     SparseForm { quadratic, linear, equations, right, signed, sizes }
 }
 
@@ -215,18 +203,13 @@ pub(super) fn complementary(discrete: &Discrete, discretisation: Discretisation,
         let turned = if hinge.sides[0] { slope } else { -slope };
         linear.push((held.sum::<f64>() + turned * discrete.spacing) / depth);
     }
-    // Forces of supports that give, with what they do at their own levels.
-    let springs = discrete.supports().springs();
-    equations.extend(springs.iter().filter_map(|spring| rows[spring.node]).map(|row| vec![(row, -1.0)]));
-    linear.extend(springs.iter().map(|spring| spring.deflection / depth));
     equations.extend(discrete.touchable().filter_map(|node| rows[node]).map(|row| vec![(row, -1.0)]));
     linear.extend((0..n).map(|unknown| discrete.gap(discrete.node(unknown)) / depth));
     let right = discrete.free_nodes().map(|node| -discrete.loads[node] / force).collect();
     let mut quadratic = quadratic(discrete, &hinges, discretisation, stiffness_number(discrete));
-    springs.iter().for_each(|spring| quadratic.push(Some(force / depth / spring.stiffness)));
     let give = |unknown| discrete.give(discrete.node(unknown)) * force / depth;
     (0..n).for_each(|unknown| quadratic.push(discrete.gives().then(|| give(unknown))));
-    SparseForm { quadratic, linear, equations, right, signed: hinges.len() + springs.len(), sizes }
+    SparseForm { quadratic, linear, equations, right, signed: hinges.len(), sizes }
 }
 
 /// `G Δ³/(EI X)`: how far a force `G` bends one interval, measured by `X`.

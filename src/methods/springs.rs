@@ -62,7 +62,7 @@ pub(super) fn solve(
             let w = (2.0 * (a + b) + (at_left + at_right)) / 6.0;
             let turned = (left.rotations[1] + right.rotations[0]) / 6.0;
             // Of the line through the places that hold the beam, from which the others count.
-            let bend = if is_free { 0.0 } else { list.bend(discrete, [before, node, next_held(list, i)]) };
+            let bend = if is_free { 0.0 } else { discrete.bend(before, node, next_held(list, i)) };
             let joint = discrete.divisions().joint(node);
             if SOFT < joint {
                 soft.push((i, 1.0 / joint));
@@ -72,18 +72,12 @@ pub(super) fn solve(
             let [moment, force] = outermost[usize::from(0 < i)];
             [PENALTY, -PENALTY * moment, force]
         };
-        // A support that gives, beside ground that does or alone: its force counts from its own level.
-        let [own, preload] = discrete.supports().spring(node).map_or([0.0; 2], |spring| {
-            [unit * spring.stiffness, spring.stiffness * (list.level(discrete, node) - spring.deflection)]
-        });
+        let is_held = discrete.supports().below(node).is_some();
         let spring = match discrete.give(node) {
             _ if is_free => 0.0,
-            _ if list.is_sprung(node) => own,
-            _ if discrete.supports().at(node).is_some() => PENALTY,
-            give if give <= 0.0 => PENALTY,
-            give => unit / give + own,
+            give if is_held || give <= 0.0 => PENALTY,
+            give => unit / give,
         };
-        let load = load - if spring < PENALTY { preload } else { 0.0 };
         let block = Block::new(if 0.0 < right.steps { 1.0 / right.steps } else { 0.0 }, w, (b - at_right) / 6.0);
         rows.push(Row { block, spring, right: [-(load + hangs), bent] });
         left = right;
@@ -122,7 +116,7 @@ fn above_chords(discrete: &Discrete, list: &ContactSet, sunk: &mut [f64]) {
             continue;
         }
         let next = next_held(list, i);
-        let [from, to] = [held, next].map(|node| list.level(discrete, node));
+        let [from, to] = [held, next].map(|node| discrete.level(node));
         sunk[i] += from + (to - from) * (as_float(node - held) / as_float(next - held));
     }
 }

@@ -2,7 +2,7 @@
 
 use std::ops::{Range, RangeInclusive};
 
-use crate::scene::{Grid, Held, Quantity, Scene, SceneError, Spring, Support};
+use crate::scene::{Grid, Held, Quantity, Scene, SceneError, Support};
 
 /// A support at a node.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,23 +22,8 @@ pub(crate) struct NodeBearing {
     pub(crate) node: usize,
     /// Where it stands.
     pub(crate) at: f64,
-    /// How far it gives under a unit force.
-    pub(super) give: f64,
     /// How far the ground lies below it; infinite where there is none, and negative where it stands in the ground.
     below: f64,
-}
-
-/// A support that gives, at a node: `R = k_s (v − d_s)`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct NodeSpring {
-    /// Its node.
-    pub(crate) node: usize,
-    /// Where it stands.
-    pub(super) at: f64,
-    /// `k_s`.
-    pub(super) stiffness: f64,
-    /// `d_s`.
-    pub(super) deflection: f64,
 }
 
 /// All supports of a beam, from left to right.
@@ -49,8 +34,6 @@ pub(crate) struct Supports {
     inner: Range<usize>,
     /// Those that only push, which hold no node.
     bearings: Vec<NodeBearing>,
-    /// Those that give and hold the beam both ways: what hangs on them is free to sink.
-    springs: Vec<NodeSpring>,
     intervals: usize,
 }
 
@@ -77,52 +60,21 @@ impl Supports {
         };
         let bearing = |support: &Support| {
             let node = grid.nearest(support.at / scene.beam().length());
-            let give = support.stiffness.map_or(0.0, |k| 1.0 / k);
-            NodeBearing { node, at: support.at, give, below: scene.depth(grid.place(node)) - support.level }
+            NodeBearing { node, at: support.at, below: scene.depth(grid.place(node)) - support.level }
         };
-        let stops = scene.beam().springs().iter().filter(|spring| spring.pushes_only);
-        let mut bearings: Vec<_> = scene.beam().bearings().iter().chain(stops).map(bearing).collect();
-        bearings.sort_by_key(|bearing| bearing.node);
-        let spring = |spring: Spring| {
-            let Spring { at, stiffness, deflection, .. } = spring;
-            NodeSpring { node: grid.nearest(at / scene.beam().length()), at, stiffness, deflection }
-        };
-        let springs = scene.springs().filter(|spring| !spring.pushes_only).map(spring).collect();
-        Ok(Self { bearings, springs, ..Self::of(scene.held().into_iter().map(held).collect(), grid.intervals()) })
+        let bearings = scene.beam().bearings().iter().map(bearing).collect();
+        Ok(Self { bearings, ..Self::of(scene.held().into_iter().map(held).collect(), grid.intervals()) })
     }
 
     /// Given ones, ascending.
     pub(super) fn of(all: Vec<NodeSupport>, intervals: usize) -> Self {
         let inner = all.partition_point(|s| s.node == 0)..all.partition_point(|s| s.node < intervals);
-        Self { all, inner, bearings: Vec::new(), springs: Vec::new(), intervals }
+        Self { all, inner, bearings: Vec::new(), intervals }
     }
 
     /// The same with others that hold the beam.
     pub(super) fn holding(&self, all: Vec<NodeSupport>) -> Self {
-        let (bearings, springs) = (self.bearings.clone(), self.springs.clone());
-        Self { bearings, springs, ..Self::of(all, self.intervals) }
-    }
-
-    /// The same with all levels and slopes at zero.
-    pub(super) fn at_zero(&self) -> Self {
-        let mut all = self.all.clone();
-        for support in &mut all {
-            support.held.deflection = 0.0;
-            support.held.slope = support.held.slope.map(|_| 0.0);
-        }
-        let mut zero = self.holding(all);
-        zero.springs.iter_mut().for_each(|spring| spring.deflection = 0.0);
-        zero
-    }
-
-    /// Those that give and hold the beam both ways, from left to right.
-    pub(crate) fn springs(&self) -> &[NodeSpring] {
-        &self.springs
-    }
-
-    /// The one at a node that gives and holds the beam both ways.
-    pub(super) fn spring(&self, node: usize) -> Option<&NodeSpring> {
-        self.springs.binary_search_by_key(&node, |spring| spring.node).ok().map(|i| &self.springs[i])
+        Self { bearings: self.bearings.clone(), ..Self::of(all, self.intervals) }
     }
 
     /// Those that only push, from left to right.
@@ -179,11 +131,7 @@ impl Supports {
     /// Whether a range of nodes, the last one included, certainly has none; a quick test, as most beams have none inside.
     #[inline]
     pub(crate) fn are_outside(&self, first: usize, last: usize) -> bool {
-        self.inner.is_empty()
-            && self.bearings.is_empty()
-            && self.springs.is_empty()
-            && self.first() <= first
-            && last < self.nodes().end
+        self.inner.is_empty() && self.bearings.is_empty() && self.first() <= first && last < self.nodes().end
     }
 
     /// The first node that is no supported end.
@@ -204,16 +152,13 @@ impl Supports {
 
     /// The nodes that they hold, ascending, with the number of motions that each prevents.
     pub(super) fn holds(&self) -> Vec<(usize, usize)> {
-        let holds = |support: &NodeSupport| (support.node, if support.held.slope.is_some() { 2 } else { 1 });
-        let mut all: Vec<_> = self.all.iter().map(holds).chain(self.springs.iter().map(|s| (s.node, 1))).collect();
-        all.sort_unstable();
-        all
+        self.all.iter().map(|support| (support.node, if support.held.slope.is_some() { 2 } else { 1 })).collect()
     }
 
     /// The same with simple supports at level zero at such ends of the beam that it is held: a basic structure for forces that
     /// are in balance without these.
     pub(super) fn completed(&self) -> Self {
-        match (self.lacking(), self.holds().first().map(|s| s.0)) {
+        match (self.lacking(), self.all.first().map(|s| s.node)) {
             (0, _) => self.clone(),
             (1, Some(node)) if 2 * node < self.intervals => self.and_at(&[self.intervals]),
             (1, _) => self.and_at(&[0]),

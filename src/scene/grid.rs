@@ -86,13 +86,12 @@ impl Grid {
         1.0 / spring
     }
 
-    /// The same of what is below a node of a scene: a support that only pushes does not give, unless it is a spring.
+    /// The same of what is below a node of a scene: a support that only pushes does not give.
     pub(crate) fn give_of(&self, scene: &Scene, node: usize) -> f64 {
-        let beam = scene.beam();
-        let pushing = || beam.bearings().iter().chain(beam.springs().iter().filter(|spring| spring.pushes_only));
-        let at = |node: usize| pushing().find(|bearing| self.nearest(bearing.at / self.length) == node);
-        if let Some(bearing) = at(node) {
-            return bearing.stiffness.map_or(0.0, |k| 1.0 / k);
+        let bearings = scene.beam().bearings();
+        let at = |node: usize| bearings.iter().find(|bearing| self.nearest(bearing.at / self.length) == node);
+        if at(node).is_some() {
+            return 0.0;
         }
         let is_sunk = |node: usize| at(node).is_some_and(|bearing| scene.stands_in_ground(bearing));
         match scene.ground_stiffness() {
@@ -178,9 +177,8 @@ impl Grid {
     /// is no foundation.
     #[must_use]
     pub fn gaps_at(&self, scene: &Scene, nodes: Range<usize>) -> Vec<f64> {
-        let beam = scene.beam();
-        if let (Some(Foundation::Flat { depth }), None, [], []) =
-            (scene.foundation(), beam.shape(), beam.bearings(), beam.springs())
+        if let (Some(Foundation::Flat { depth }), None, []) =
+            (scene.foundation(), scene.beam().shape(), scene.beam().bearings())
         {
             return vec![*depth; nodes.len()];
         }

@@ -72,22 +72,6 @@ impl Scene {
         Ok(())
     }
 
-    /// Whether no support of the beam gives against turning, and none gives beside ground that does.
-    ///
-    /// # Errors
-    ///
-    /// [`SceneError::NotKnown`] if one does, naming what asked for it.
-    pub(crate) fn gives_as_known(&self, what: &'static str) -> Result<(), SceneError> {
-        if self.ground_stiffness().is_some() {
-            return self.is_firm(what);
-        }
-        let mut all = self.beam.supports().iter().chain(self.beam.springs());
-        match all.any(|support| support.turning_stiffness.is_some()) {
-            true => Err(SceneError::NotKnown { what, feature: "supports that give against turning" }),
-            false => Ok(()),
-        }
-    }
-
     /// Whether contact forces at nodes, without the lengths over which they act, determine the position of the beam: not if supports do
     /// not hold it, on ground that gives way below each force by an amount that depends on that length.
     ///

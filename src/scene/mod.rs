@@ -188,12 +188,7 @@ impl Scene {
     /// True if there is something that the beam may touch: ground, or a support that only pushes.
     #[must_use]
     pub fn has_obstacle(&self) -> bool {
-        self.foundation.is_some() || !self.beam.bearings().is_empty() || self.stops().next().is_some()
-    }
-
-    /// The supports that give and only push, from left to right.
-    pub(crate) fn stops(&self) -> impl Iterator<Item = Spring> + '_ {
-        self.springs().filter(|spring| spring.pushes_only)
+        self.foundation.is_some() || !self.beam.bearings().is_empty()
     }
 
     /// `g(x) = u − w0`, the gap below the beam as long as nothing acts on it, from which (6) takes the clearance `h = g − v`
@@ -220,11 +215,9 @@ impl Scene {
         let (Some(first), Some(last)) = (places.first(), places.last()) else { return };
         let is_one = |x: f64, at: f64| is_same_place(x, at, self.beam.length());
         let before = self.beam.bearings().partition_point(|bearing| bearing.at < *first && !is_one(*first, bearing.at));
-        let is_within = |at: f64| at <= *last || is_one(*last, at);
-        let within = self.bearings().skip(before).take_while(|bearing| is_within(bearing.at));
-        let stops = self.stops().map(|stop| Bearing { at: stop.at, gap: stop.deflection });
-        let stops = stops.filter(|stop| is_within(stop.at) && (*first <= stop.at || is_one(*first, stop.at)));
-        for bearing in within.chain(stops) {
+        let within =
+            self.bearings().skip(before).take_while(|bearing| bearing.at <= *last || is_one(*last, bearing.at));
+        for bearing in within {
             let is_here = |x: f64| is_one(x, bearing.at);
             let next = places.partition_point(|&x| x < bearing.at);
             for i in [next.checked_sub(1), Some(next)].into_iter().flatten() {

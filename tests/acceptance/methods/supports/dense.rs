@@ -14,7 +14,6 @@ pub(super) struct Optimum {
 }
 
 /// A discrete beam as `½ dᵀK d − fᵀd + c`, with the deflections of all nodes first in `d`, and rotations behind them.
-#[derive(Clone)]
 pub(super) struct Dense {
     stiffness: DMatrix<f64>,
     loads: DVector<f64>,
@@ -22,9 +21,6 @@ pub(super) struct Dense {
     gaps: Vec<f64>,
     /// Freedoms that supports fix, with their values.
     fixed: Vec<(usize, f64)>,
-    /// Supports that give: node, stiffness and level, those that only push among the last ones.
-    springs: Vec<(usize, f64, f64)>,
-    stops: Vec<(usize, f64, f64)>,
 }
 
 impl Dense {
@@ -41,14 +37,7 @@ impl Dense {
             constant: 0.0,
             gaps: (0..nodes).map(|i| scene.gap(grid.place(i))).collect(),
             fixed: Vec::new(),
-            springs: Vec::new(),
-            stops: Vec::new(),
         };
-        for spring in scene.springs() {
-            let found = (grid.node_at(spring.at).expect("a node"), spring.stiffness, spring.deflection);
-            let kind = if spring.pushes_only { &mut dense.stops } else { &mut dense.springs };
-            kind.push(found);
-        }
         for (i, q) in grid.nodal_loads(scene).into_iter().enumerate() {
             dense.loads[i] = q;
         }
@@ -68,9 +57,6 @@ impl Dense {
             }
         }
         dense.join(scene, &grid, &held);
-        for (node, k, level) in dense.springs.clone() {
-            dense.spring(k, &[(node, 1.0)], -level);
-        }
         dense
     }
 
@@ -144,15 +130,6 @@ impl Dense {
         self.constant += 0.5 * k * b * b;
     }
 
-    /// The same with some of the supports pressed that give and only push.
-    fn pressing(&self, contacts: &[usize]) -> Self {
-        let mut pressed = self.clone();
-        for &(node, k, level) in self.stops.iter().filter(|stop| contacts.contains(&stop.0)) {
-            pressed.spring(k, &[(node, 1.0)], -level);
-        }
-        pressed
-    }
-
     /// The optimum, by trying every set of contacts.
     pub(super) fn optimum(&self) -> Option<Optimum> {
         let nodes = self.gaps.len();
@@ -162,24 +139,16 @@ impl Dense {
         (0_usize..1 << open.len()).find_map(|set| {
             let contacts: Vec<usize> =
                 open.iter().enumerate().filter(|(k, _)| set >> k & 1 == 1).map(|(_, node)| *node).collect();
-            let gives = |node: usize| self.stops.iter().any(|stop| stop.0 == node);
-            let (all, mut fixed) = (self.pressing(&contacts), self.fixed.clone());
-            fixed.extend(contacts.iter().filter(|node| !gives(**node)).map(|&node| (node, self.gaps[node])));
-            let (d, mut force) = all.solved(&fixed)?;
+            let mut fixed = self.fixed.clone();
+            fixed.extend(contacts.iter().map(|&node| (node, self.gaps[node])));
+            let (d, force) = self.solved(&fixed)?;
             let deflection: Vec<f64> = d.iter().take(nodes).copied().collect();
-            let is_pressed = |node: usize| contacts.contains(&node) && gives(node);
-            for &(node, k, level) in self.stops.iter().filter(|stop| is_pressed(stop.0)) {
-                force[node] = k * (deflection[node] - level);
-            }
             let pressed = contacts.iter().all(|&node| -1e-10 <= force[node]);
-            // Where the beam touches the ground as well, the support is what is compared.
-            self.springs.iter().for_each(|&(node, k, level)| force[node] = k * (deflection[node] - level));
-            let above = |node: usize| is_pressed(node) || deflection[node] <= self.gaps[node] + 1e-10;
-            let above = open.iter().all(|&node| above(node));
+            let above = open.iter().all(|&node| deflection[node] <= self.gaps[node] + 1e-10);
             (pressed && above).then(|| Optimum {
                 deflection,
                 force: force.iter().take(nodes).copied().collect(),
-                energy: 0.5 * (&all.stiffness * &d).dot(&d) - all.loads.dot(&d) + all.constant,
+                energy: 0.5 * (&self.stiffness * &d).dot(&d) - self.loads.dot(&d) + self.constant,
             })
         })
     }

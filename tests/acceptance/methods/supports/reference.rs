@@ -129,42 +129,6 @@ fn every_route_finds_what_trying_all_contacts_finds() {
     assert!(40 <= held && 20 <= free && 20 <= built_in, "{held} held, {free} free, {built_in} built in");
 }
 
-/// The same beam with about half of its simple supports as springs, of those that only push as well.
-fn giving(random: &mut Random, scene: &Scene) -> Option<Scene> {
-    let mut supports = scene.beam().supports_as_given();
-    for support in &mut supports {
-        if support.slope.is_none() && random.once_in(2) {
-            let stiffness = scene.beam().bending_stiffness() * libm::exp(random.between(-6.0, 4.0));
-            support.stiffness = Some(stiffness);
-        }
-    }
-    if supports.iter().all(|support| support.stiffness.is_none()) {
-        return None;
-    }
-    let beam = scene.beam().clone().with_supports(supports).ok()?;
-    let scene = Scene::new(beam, scene.load().clone(), scene.foundation().cloned()).ok()?;
-    let turns = |scaled: Scaled| matches!(scaled.balance, Balance::Neutral { .. });
-    scene.scaled().is_ok_and(|scaled| !turns(scaled)).then_some(scene)
-}
-
-/// Supports that give, those that only push among them, and beams that change besides.
-#[test]
-fn supports_that_give_are_right_by_every_route() {
-    let of = |i: u64| {
-        let random = &mut Random::new(0x90_0000 + i);
-        let scene = if i % 2 == 0 { holding(i)? } else { pushing(i)? };
-        let scene = giving(random, &scene)?;
-        if i % 3 == 0 && scene.foundation().is_some() { changing(random, &scene) } else { Some(scene) }
-    };
-    let scenes: Vec<Scene> = (0..).filter_map(of).take(120).collect();
-    let [held, free] = every_route_is_right(&scenes);
-    let springs = |pushes_only: bool| {
-        scenes.iter().flat_map(|scene| scene.beam().springs()).filter(|s| s.pushes_only == pushes_only).count()
-    };
-    let [both, push] = [false, true].map(springs);
-    assert!(50 <= held && 20 <= free && 60 <= both && 60 <= push, "{held} held, {free} free, {both} and {push}");
-}
-
 /// Steps of the bending stiffness, joints and hinges by every route.
 #[test]
 fn beams_that_change_are_right_by_every_route() {
