@@ -140,8 +140,8 @@ impl Explanation {
         Self { lifted: lifted.collect(), nodes, spans, overhangs, equations, stiffness }
     }
 
-    /// What the equations are for, as many as there are equations: places, and moments with whether they are right of their node. Other
-    /// moments are those of overhangs, of the ground along which the beam lies, or zero at an end.
+    /// What the equations are for, as many as there are equations and hinges off the ground, each of which is where it has no force: places,
+    /// and moments with whether they are right of their node. Other moments are those of overhangs, of the ground along which the beam lies, or zero at an end.
     #[must_use]
     pub fn unknowns(&self) -> Vec<(usize, Option<bool>)> {
         let mut unknowns = Vec::new();

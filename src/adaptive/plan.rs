@@ -70,7 +70,7 @@ pub(super) enum Next {
 pub(super) struct Plan {
     /// Grids should be multiples of this.
     common: usize,
-    /// Grids have to be multiples of this, so that supports are nodes.
+    /// Grids have to be multiples of this, so that supports, joints and changes of the bending stiffness are nodes.
     step: usize,
     /// The finest grid.
     most: usize,
@@ -84,7 +84,8 @@ impl Plan {
     pub(super) fn new(scene: &Scene, request: &Request) -> Self {
         // Cost of the active set is proportional to the grid, that of the others to its square or cube.
         let refinement = if request.solver == Solver::ActiveSet { 8.0 } else { 3.0 };
-        let step = Grid::step(scene).unwrap_or(1);
+        let changes = scene.beam().joints().len() + scene.beam().changes().count();
+        let step = if 0 < changes { Grid::least_fitting(scene) } else { Grid::step(scene) }.unwrap_or(1);
         Self {
             common: breaks::common_intervals(scene),
             step,

@@ -6,13 +6,11 @@ use super::Part;
 use super::links::{Beam, Kind, Link};
 use super::solved::{Ends, Solved};
 use crate::qp::blocks::{Block, PENALTY, factor_towards, solve_towards};
+use crate::theory::check::MOST;
 use crate::theory::divided;
 use crate::theory::overhang::Overhang;
 use crate::theory::piecewise::PiecewiseScene;
 use crate::theory::span::Span;
-
-/// No deflection or moment of a dimensionless beam with a hinge is larger: a mechanism that only rounding holds moves by far more.
-const MOST: f64 = 1e12;
 
 /// A node of the chain: its block, `Θ`, the right-hand sides, and what is known of `h, h', M, V`. A spring against turning inside is a row
 /// of its own before that of its node.

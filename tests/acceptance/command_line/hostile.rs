@@ -187,6 +187,6 @@ fn what_a_terminal_would_obey_is_not_passed_on() {
      --> escape.toml:4:1
       |
     4 | x = 1 # ·31m · ä
-      | ^ expected one of `length`, `bending_stiffness`, `shape`, `supports`, `joints`
+      | ^ expected one of `length`, `bending_stiffness`, `shape`, `supports`, `joints`, `tension`
     "#);
 }

@@ -15,39 +15,39 @@ struct Group {
     name: &'static str,
     of: &'static [Feature],
     on_soil: bool,
-    /// How many there are, and how many thousandths of them are certified at least.
+    /// How many there are, and which of them are not certified.
     cases: u32,
-    wanted: u32,
+    open: &'static [u32],
     /// Seeds of scenes that finite elements know to `COARSE` only.
     coarse: &'static [u32],
 }
 
 const GROUPS: [Group; 6] = [
-    Group { name: "couples, steps", of: &[Couple, Steps], on_soil: false, cases: 800, wanted: 990, coarse: &[] },
-    Group { name: "and joints", of: &[Couple, Steps, Joint], on_soil: false, cases: 600, wanted: 995, coarse: &[] },
+    Group {
+        name: "couples, steps",
+        of: &[Couple, Steps],
+        on_soil: false,
+        cases: 800,
+        open: &[202, 273, 492, 498, 530],
+        coarse: &[],
+    },
+    Group { name: "and joints", of: &[Couple, Steps, Joint], on_soil: false, cases: 600, open: &[530], coarse: &[] },
     Group {
         name: "and hinges",
         of: &[Couple, Steps, Joint, Hinge],
         on_soil: false,
         cases: 600,
-        wanted: 960,
+        open: &[0, 21, 55, 76, 93, 113, 134, 346, 360, 396, 498, 510, 546],
         coarse: &[],
     },
-    Group {
-        name: "springs, stops",
-        of: &[Spring, Turning, Stop],
-        on_soil: false,
-        cases: 600,
-        wanted: 995,
-        coarse: &[],
-    },
-    Group { name: "tension", of: &[Tension], on_soil: false, cases: 400, wanted: 995, coarse: &[] },
+    Group { name: "springs, stops", of: &[Spring, Turning, Stop], on_soil: false, cases: 600, open: &[], coarse: &[] },
+    Group { name: "tension", of: &[Tension], on_soil: false, cases: 400, open: &[292, 309, 322], coarse: &[] },
     Group {
         name: "steps of soil",
         of: &[Couple, Steps, Joint, SoilSteps],
         on_soil: true,
         cases: 600,
-        wanted: 995,
+        open: &[],
         coarse: &[],
     },
 ];
@@ -57,13 +57,14 @@ fn tried(group: &Group) -> (String, Vec<String>) {
     let (mut count, mut pinned) = (Count::default(), String::new());
     for i in 0..sample_of(group.cases) {
         let text = general(u64::from(i), group.of, group.on_soil).text;
+        let before = count.certified + count.without;
         count.add(i, &text, group.coarse.contains(&i));
+        if before == count.certified + count.without && !group.open.contains(&i) {
+            count.wrong.push(format!("{i} is not certified"));
+        }
         if count.cases == group.cases / 4 {
             pinned = count.row(group.name);
         }
-    }
-    if 1000 * count.certified < group.wanted * (count.cases - count.without) {
-        count.wrong.push("too few are certified".to_owned());
     }
     let row = count.row(group.name);
     (pinned, count.wrong.into_iter().map(|wrong| format!("{row}\n{wrong}")).collect())

