@@ -11,7 +11,7 @@
 //! ```
 //!
 //! so that `S = q L³/4` for a uniform load. Where the bending stiffness changes between the nodes, or where joints are, other
-//! [factors](bent) take the place of `2L` and `L`, with the least `EI`. A joint at a node turns by `M/k`, and a hinge is a node: its moment is
+//! factors take the place of `2L` and `L`, with the least `EI`. A joint at a node turns by `M/k`, and a hinge is a node: its moment is
 //! zero, and its deflection is the one for which no force acts there. Where two spans meet their slopes are the same: the equation of three moments (Clapeyron
 //! 1857). Where a slope is given, by a built-in end or by ground that the beam follows, each side has an equation of its own; where the
 //! place is not given as well, that is the equation for it. Beyond the outermost nodes that hold it the beam hangs over, and statics

@@ -183,8 +183,8 @@ impl Given {
         for _ in 0..SOLVES {
             let mut system: Vec<[f64; 4]> = vec![[0.0; 4]; rows.len()];
             let mut left = vec![RBig::ZERO; rows.len()];
-            for i in 0..=nodes.len() {
-                let (Some(span), Some([a, b, c])) = (self.span(nodes, i)?, stiffness[i]) else { continue };
+            for (i, stiffness) in stiffness.iter().enumerate() {
+                let (Some(span), Some([a, b, c])) = (self.span(nodes, i)?, *stiffness) else { continue };
                 let at_ends = [i.checked_sub(1).map(|i| row(i, 1)), (i < nodes.len()).then(|| row(i, 0))];
                 if let Some(start) = at_ends[0] {
                     (system[start][1], system[start][2]) = (system[start][1] + a, b);

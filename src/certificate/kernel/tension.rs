@@ -111,7 +111,7 @@ impl Span {
         let cells = cells(from, to, places);
         let given: Vec<Polynomial> = cells.iter().map(|cell| given(enclosed, *cell)).collect();
         let width = |cell: &[f64; 2]| Interval::length(cell[0], cell[1]);
-        let (mut parts, mut kinks): (Vec<([f64; 2], Polynomial)>, Vec<(f64, Interval)>) = (Vec::new(), Vec::new());
+        let (mut parts, mut kinks) = (Vec::new(), Vec::new());
         let mut start = ends[0].unwrap_or_else(|| numbers(&given[0], Interval::ZERO));
         for (i, (cell, t)) in cells.iter().zip(&given).enumerate() {
             let own = numbers(t, width(cell));

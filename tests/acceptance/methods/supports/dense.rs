@@ -44,8 +44,8 @@ impl Dense {
         dense.fixed.extend(held.iter().map(|(node, held)| (*node, held.deflection)));
         let stiffness_of = |i: usize| {
             let middle = 0.5 * (grid.place(i) + grid.place(i + 1));
-            let steps = beam.steps().iter().filter(|step| step[0] <= middle);
-            steps.last().map_or(beam.bending_stiffness(), |step| step[1])
+            let mut steps = beam.steps().iter().filter(|step| step[0] <= middle);
+            steps.next_back().map_or(beam.bending_stiffness(), |step| step[1])
         };
         for i in 0..intervals {
             let rotations = [2 * nodes + i, nodes + i + 1];

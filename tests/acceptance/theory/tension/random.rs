@@ -121,13 +121,7 @@ fn random(i: u32) -> String {
     };
     let far = match &supports[..] {
         [(_, _)] => 20.0,
-        [(a, _), (b, _)] => {
-            if *a > 0.0 {
-                2.0 * (10.0 - a).max(*b)
-            } else {
-                10.0
-            }
-        }
+        [(a, _), (b, _)] if *a > 0.0 => 2.0 * (10.0 - a).max(*b),
         [_, (middle, ", level = 0.01"), _] => middle.max(10.0 - middle),
         _ => 10.0,
     };

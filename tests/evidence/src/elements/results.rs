@@ -63,7 +63,7 @@ impl Mesh<'_> {
         let mut elements: Vec<Vec<bool>> = Vec::new();
         for i in 0..self.nodes.len() - 1 {
             // Between the two nodes of a joint, and over no soil, there is nothing to cut.
-            let before = elements.last().map_or(false, |states: &Vec<bool>| states[1]);
+            let before = elements.last().is_some_and(|states: &Vec<bool>| states[1]);
             elements.push(if is_element(i) { of_element(i) } else { vec![before; 2] });
         }
         let mixed = |i: usize| {

@@ -114,10 +114,8 @@ fn is_bad(draft: &Draft) -> bool {
     let couples = draft.couple.iter().all(|couple| on_beam(couple.at) && couple.moment.is_finite());
     let supports = draft.all_supports();
     let springs = supports.iter().flat_map(|support| [support.stiffness, support.turning_stiffness]).flatten();
-    !(in_order(steps) && joints && couples)
-        || !steps.iter().all(|step| positive(step[1]))
-        || !springs.into_iter().all(positive)
-        || draft.ground.is_some() && !soil
+    let all_positive = steps.iter().all(|step| positive(step[1])) && springs.into_iter().all(positive);
+    !(in_order(steps) && joints && couples && all_positive) || draft.ground.is_some() && !soil
 }
 
 /// What is refused names its place and a value.
