@@ -13,7 +13,7 @@ use super::span::{EndCondition, Span};
 use super::violation::Violation;
 use crate::certificate::CERTIFIED_RESIDUAL;
 
-/// No deflection or moment of a dimensionless beam is larger: a mechanism that only rounding holds moves by far more.
+/// No deflection or moment of a dimensionless beam with a hinge is larger: a mechanism that only rounding holds moves by far more.
 pub(super) const MOST: f64 = 1e12;
 
 /// A list with everything that follows from it.
@@ -112,7 +112,7 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Check {
         judge.measure(-force, most, i, pulls);
     }
     for (i, span) in &spans {
-        judge.known(*i, span);
+        judge.known(given, *i, span);
         judge.bends(given, list, *i, span);
         if !given.has_obstacle() {
             continue;
@@ -199,9 +199,12 @@ impl Judge {
         }
     }
 
-    /// A span has numbers, and none that rounding alone keeps finite: not so a mechanism.
-    fn known(&mut self, index: usize, span: &Span) {
-        if !span.beam_a.iter().chain(&span.beam_b).all(|value| value.abs() <= MOST) {
+    /// A span has numbers, and beside hinges none that rounding alone keeps finite: not so a mechanism.
+    fn known(&mut self, given: &PiecewiseScene, index: usize, span: &Span) {
+        let numbers = || span.beam_a.iter().chain(&span.beam_b);
+        let is_hinged = || given.divisions.iter().any(|&i| given.breakpoints[i].joint.is_infinite());
+        let known = numbers().all(|value| value.is_finite());
+        if !known || numbers().any(|value| MOST < value.abs()) && is_hinged() {
             self.refuse(index, Violation::Overflow);
         }
     }
