@@ -34,6 +34,21 @@ const PLAYED: &str = concat!(include_str!("html/beam.js"), include_str!("html/pl
 const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:; \
                       base-uri 'none'; form-action 'none'";
 
+/// A page with a link past each of its sections, for those who go by the tab key; behind the last one the next page follows.
+fn with_ways_past(body: &str, next: &str) -> String {
+    const SECTION: &str = "<h2 id=\"";
+    let mut parts = body.split(SECTION);
+    let before = parts.next().unwrap_or_default().to_owned();
+    let sections: Vec<&str> = parts.collect();
+    let id = |section: &&str| section.split('"').next().unwrap_or_default().to_owned();
+    let mut all = before;
+    for (i, section) in sections.iter().enumerate() {
+        let to = sections.get(i + 1).map_or_else(|| next.to_owned(), id);
+        let _ = write!(all, "<a class=\"skip\" href=\"#{to}\">Past this section</a>\n{SECTION}{section}");
+    }
+    all
+}
+
 /// The page; an error if it does not keep what [`check`] asks of it.
 pub(super) fn page(rendered: &Rendered) -> Result<String, Cause> {
     let (mut navigation, mut articles, mut title) = (String::new(), String::new(), String::new());
@@ -45,7 +60,8 @@ pub(super) fn page(rendered: &Rendered) -> Result<String, Cause> {
         let next = DOCUMENTS.into_iter().skip_while(|other| *other != name).nth(1).unwrap_or(DOCUMENTS[0]);
         let _ = write!(
             articles,
-            "<article id=\"{name}\">\n<a class=\"skip\" href=\"#{next}\">Past this page</a>\n{body}</article>\n"
+            "<article id=\"{name}\">\n<a class=\"skip\" href=\"#{next}\">Past this page</a>\n{}</article>\n",
+            with_ways_past(&body, next)
         );
         let _ = writeln!(navigation, "{}", document.navigation());
         if title.is_empty() {
