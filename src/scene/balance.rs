@@ -140,10 +140,9 @@ impl Balance {
         }
         // Without ground, not even with supports that only push as supports that hold.
         let beam = scene.beam();
-        let hinged = beam.joints().iter().any(|joint| joint.stiffness.is_none());
         let moves = || beam.is_mechanism(beam.holding().chain(pushing(scene)));
         match scene.foundation() {
-            None if hinged && moves() => Self::of_supports(scene).and(Err(Unheld::Mechanism)),
+            None if beam.is_hinged() && moves() => Self::of_supports(scene).and(Err(Unheld::Mechanism)),
             _ => Self::of_supports(scene),
         }
     }

@@ -36,18 +36,20 @@ impl Scene {
         if is_open { Err(SceneError::NotKnown { what, feature: "a gap in the foundation" }) } else { Ok(()) }
     }
 
-    /// Whether all moments of the beam follow from forces that are given: there is no hinge, and on ground that gives there are neither steps
-    /// of the bending stiffness nor joints.
+    /// Whether all moments of the beam follow from forces that are given: there is no hinge, no axial force and no support that gives, and on
+    /// ground that gives there are neither steps of the bending stiffness nor joints.
     ///
     /// # Errors
     ///
     /// [`SceneError::NotKnown`] if not, naming what asked for it.
     pub fn bends_under_forces(&self, what: &'static str) -> Result<(), SceneError> {
         if self.ground_stiffness().is_some() {
-            return self.is_uniform(what);
+            self.is_uniform(what)?;
+        } else if self.beam.is_hinged() {
+            return Err(SceneError::NotKnown { what, feature: "hinges" });
         }
-        let hinge = self.beam.joints().iter().find(|joint| joint.stiffness.is_none());
-        hinge.map_or(Ok(()), |_| Err(SceneError::NotKnown { what, feature: "hinges" }))
+        self.has_no_tension(what)?;
+        self.is_firm(what)
     }
 
     /// Whether no axial force acts on the beam.

@@ -115,6 +115,11 @@ impl Beam {
         Ok(self)
     }
 
+    /// Whether one of its joints is a hinge.
+    pub(super) fn is_hinged(&self) -> bool {
+        self.joints().iter().any(|joint| joint.stiffness.is_none())
+    }
+
     /// `EI` between two places with no step between them \[force · length²\].
     pub(crate) fn stiffness_between(&self, from: f64, to: f64) -> f64 {
         let middle = 0.5 * (from + to);

@@ -48,7 +48,8 @@ impl PiecewiseScene {
         }
         let springs: Vec<AtSpring> =
             scene.springs().enumerate().map(|(i, spring)| at_spring(&places, stiffness, &spring, acts(i))).collect();
-        let springy = |i: usize| springs.iter().any(|spring| spring.acts && spring.breakpoint == i);
+        let springy =
+            |i: usize| springs.binary_search_by_key(&i, |spring| spring.breakpoint).is_ok_and(|k| springs[k].acts);
         let tension = scene.beam().tension() / stiffness;
         let changes = |i: usize| cells[i - 1].stiffness.total_cmp(&cells[i].stiffness).is_ne();
         let divides = |i: &usize| breakpoints[*i].joint != 0.0 || changes(*i) || springy(*i) || tension != 0.0;
