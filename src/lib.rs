@@ -83,31 +83,28 @@
 
 #![warn(clippy::disallowed_methods)]
 
-pub mod adaptive;
+mod answer;
 pub mod body;
 pub mod certificate;
-mod double;
-pub mod explain;
-mod memory;
-pub mod methods;
-mod multigrid;
+mod grid;
 #[cfg(feature = "plot")]
 pub mod plot;
 #[cfg(feature = "proof")]
 pub mod proof;
-pub mod qp;
-pub mod route;
 pub mod scene;
-mod solve;
-pub mod solvers;
-pub mod state;
-pub mod sweep;
-pub mod text;
+mod shared;
+mod study;
 pub mod theory;
-pub mod tolerance;
 pub mod verdict;
-mod witness;
 
+pub use answer::solve::{DEFAULT_TOLERANCE, Settings, left_out, solve, solve_exactly, solve_raw, solve_raw_near};
+pub use answer::{route, state};
+pub use grid::{adaptive, methods, qp, solvers};
 pub use route::Solution;
-pub use solve::{DEFAULT_TOLERANCE, Settings, left_out, solve, solve_exactly, solve_raw, solve_raw_near};
-pub use witness::Witness;
+pub use shared::text;
+pub use study::{explain, sweep, tolerance};
+pub use verdict::witness::Witness;
+
+use grid::multigrid;
+use shared::{double, memory};
+use verdict::witness;

@@ -39,10 +39,10 @@ fn elementary_functions_come_from_libm() {
 /// Files of the library that name the matrix library, and what they take from it: nothing that
 /// multiplies two matrices larger than five, for which it looks at the processor.
 const MATRICES: [(&str, &str); 4] = [
-    ("src/qp/matrix.rs", "entries and columns"),
-    ("src/methods/program.rs", "columns, and a sum"),
-    ("src/methods/force.rs", "entries from a function"),
-    ("src/methods/displacement.rs", "columns, and a sum"),
+    ("src/grid/qp/matrix.rs", "entries and columns"),
+    ("src/grid/methods/program.rs", "columns, and a sum"),
+    ("src/grid/methods/force.rs", "entries from a function"),
+    ("src/grid/methods/displacement.rs", "columns, and a sum"),
 ];
 
 #[test]

@@ -35,7 +35,7 @@ fn room(name: &str) -> BTreeMap<String, String> {
 
 #[test]
 fn solvers_never_mention_a_beam() {
-    let found = offenders(&room("src/solvers"), |line| {
+    let found = offenders(&room("src/grid/solvers"), |line| {
         first_word_of(line, &MECHANICS).map(|word| format!("`{word}` is a word of mechanics"))
     });
     none(&found, "solvers know algorithms and no beam, not even in a comment");
@@ -43,7 +43,7 @@ fn solvers_never_mention_a_beam() {
 
 #[test]
 fn the_quadratic_program_knows_no_beam() {
-    let found = offenders(&room("src/qp"), |line| {
+    let found = offenders(&room("src/grid/qp"), |line| {
         first_word_of(code(line), &MECHANICS).map(|word| format!("`{word}` is a word of mechanics"))
     });
     none(&found, "the quadratic program (32) is plain mathematics; only comments may say what it stands for");
@@ -51,7 +51,7 @@ fn the_quadratic_program_knows_no_beam() {
 
 #[test]
 fn methods_never_name_a_solver() {
-    let found = offenders(&room("src/methods"), |line| {
+    let found = offenders(&room("src/grid/methods"), |line| {
         let named = first_word_of(line, &SOLVERS);
         let used = first_word_of(code(line), &["solver", "solvers"]);
         named.or(used).map(|word| format!("`{word}` is a solver"))
@@ -191,7 +191,7 @@ fn only_the_verdict_gives_a_status() {
     for text in library.values_mut() {
         *text = text.split("#[cfg(test)]").next().unwrap_or_default().to_owned();
     }
-    let verdict = library.remove("src/verdict.rs").expect("the verdict is there");
+    let verdict = library.remove("src/verdict/mod.rs").expect("the verdict is there");
     assert!(verdict.lines().any(|line| code(line).contains("Self::Certified")), "the verdict gives it");
     none(&offenders(&library, gives_a_status), "an answer is certified in one place");
     assert!(gives_a_status("        let status = Status::Certified;").is_some(), "a status that is given is found");

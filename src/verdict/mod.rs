@@ -43,6 +43,7 @@
 //! ```
 
 mod summary;
+pub(crate) mod witness;
 
 use std::fmt;
 

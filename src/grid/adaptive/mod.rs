@@ -43,7 +43,7 @@ mod plan;
 use crate::certificate::CERTIFIED_RESIDUAL;
 use crate::route::{Method, Solution, Solver};
 use crate::scene::{Scene, SceneError};
-use crate::solve::{DEFAULT_TOLERANCE, Settings, solve_raw};
+use crate::answer::solve::{DEFAULT_TOLERANCE, Settings, solve_raw};
 use crate::verdict::{Demand, Refusal, Verdict};
 use crate::witness::Witness;
 

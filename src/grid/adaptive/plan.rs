@@ -14,7 +14,7 @@ use super::order::observed_order;
 use super::{End, Request, Trial, breaks};
 use crate::route::Solver;
 use crate::scene::{Grid, Scene};
-use crate::solve::DEFAULT_TOLERANCE;
+use crate::answer::solve::DEFAULT_TOLERANCE;
 use crate::solvers::MOST_WORK;
 use crate::verdict::{Demand, Refusal};
 
