@@ -90,7 +90,8 @@ fn load(scene: &Scene, labels: &Labels) -> String {
         )
     }));
     parts.extend(
-        load.point()
+        scene
+            .point_loads()
             .iter()
             .map(|part| format!("{} at {}", labels.force.value(part.force), labels.length.value(part.at))),
     );
