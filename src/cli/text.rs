@@ -32,7 +32,7 @@ pub(super) fn warning_lines(warnings: &[String]) -> String {
 }
 
 /// Where the witness of a certificate is not the list of contacts of the beam.
-const COARSE: &str = "These bounds hold and are coarse: no list of contacts was proven to be that of the beam.\n";
+const COARSE: &str = "These bounds are true and wide: no contact list was proven to be that of the beam.\n";
 
 /// A bracket, rounded outwards; `none` without one.
 fn bracket(of: Option<[f64; 2]>, labels: &Labels) -> [String; 2] {
@@ -81,7 +81,7 @@ fn text_of(certificate: &Certificate, mut rows: Vec<Row>, left_out: &str, labels
     let mut table = table("Guaranteed for the continuous beam", &["", BRACKET[0], BRACKET[1]], &rows) + left_out;
     if let Some(about) = certificate.up_to_a_turn {
         table += &format!(
-            "The deflection is guaranteed up to a turn about x = {}: nothing says how the beam stands.\n",
+            "The deflection is bounded up to a rotation about x = {}: its slope there is not determined.\n",
             labels.number(about)
         );
     }
@@ -137,7 +137,8 @@ fn how(answer: &Answer) -> String {
     };
     list(&[
         ("method", method),
-        ("solver", format!("{}, which says: {}", answer.solver, solution.run.message)),
+        ("solver", answer.solver.to_owned()),
+        ("solver message", solution.run.message.to_string()),
         ("regime", solution.state.regime.name().to_owned()),
         ("unknowns", solution.unknowns.to_string()),
         ("iterations", solution.run.iterations.to_string()),
@@ -196,7 +197,7 @@ fn equilibrium(input: &Input, answer: &Answer, labels: &Labels) -> String {
     let known = bracket(certificate.and_then(|c| c.contact_force), labels);
     rows.push(row("contact".to_owned(), labels.number(contact), "up", known));
     // That is rounding, of which only the size is of interest.
-    rows.push(row("what remains".to_owned(), magnitude(remains), "", none()));
+    rows.push(row("equilibrium residual".to_owned(), magnitude(remains), "", none()));
     let mut text = table("Equilibrium", &["", &labels.force.name(COMPUTED), "", BRACKET[0], BRACKET[1]], &rows);
     text += &first("supports", state.supports.len(), state.supports.len().min(MOST_ROWS));
     let moments: Vec<Row> = state
@@ -229,7 +230,7 @@ fn stands(standing: &Standing, labels: &Labels) -> String {
         if margin.is_nan() { "none: a support holds the beam down".to_owned() } else { labels.number(*margin) };
     let mut rows: Vec<Row> = vec![
         vec![labels.force.name("resultant of the loads"), labels.number(resultant.force)],
-        vec![labels.length.name("its place"), labels.number(resultant.at)],
+        vec![labels.length.name("its position"), labels.number(resultant.at)],
         vec!["margin against overturning".to_owned(), margin_in_words],
     ];
     if let Some(Motion { about, slope: [least, most] }) = motion {
