@@ -62,7 +62,7 @@ impl Beside for NoFiles {
 
 /// A train.
 pub(crate) fn train(root: &Path, name: &str) -> Result<Scene, Cause> {
-    let text = files::text(root, &format!("{TRAINS}/{name}.toml"))?;
+    let text = fs::read_to_string(root.join(TRAINS).join(format!("{name}.toml")))?;
     match parse_train(name, &text, &mut NoFiles)? {
         Model::Scene(scene) => Ok(scene),
         Model::Body(_) => Err(format!("{name} is a body").into()),

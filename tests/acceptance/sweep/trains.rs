@@ -162,7 +162,7 @@ fn a_train_may_be_longer_than_its_bridge() {
     let refused = parse("train", &text, |_| Err(ReadProblem::Missing)).expect_err("an axle beyond the beam");
     assert!(refused.to_string().contains("must lie on the beam, between 0 and 30"), "{refused}");
     let Ok(Model::Scene(scene)) = parse_train("train", &text, &mut NoFiles) else { panic!("a scene") };
-    assert_eq!(scene.point_loads()[3].at, -39.0);
+    assert_eq!(scene.loads_beyond().collect::<Vec<_>>(), [1, 2, 3, 4]);
     let path = "load.point[0].at,load.point[1].at,load.point[2].at,load.point[3].at";
     let sweep = Sweep::new(&scene, path, [-5.0, 75.0], 33).expect("a sweep");
     for row in sweep.rows().expect("answers") {
