@@ -272,6 +272,17 @@ impl ContactState {
         all
     }
 
+    /// By how much the deflection varies along the beam, if that is more than a tenth of its length: the theory is linear, and takes
+    /// `v''` for the curvature. Along half a wave as high as a tenth of its length the slope reaches π/10, and the curvature there is
+    /// `(1 + π²/100)^-3/2 = 0.87` times as large \[length\].
+    #[must_use]
+    pub fn large_deflection(&self, length: f64) -> Option<f64> {
+        const LARGE: f64 = 0.1;
+        let varies = self.deflection.max - self.deflection.min;
+        // Equal to rounding is not more.
+        (LARGE * length * (1.0 + 1e-9) < varies).then_some(varies)
+    }
+
     /// Resultant of all contacts with the ground, upwards \[force\].
     #[must_use]
     pub fn contact_force(&self) -> f64 {

@@ -16,6 +16,9 @@ use super::output::Failure;
 /// The solver of theory as it is printed: Newton's method for the free boundaries, and a search for the list of contacts.
 const FREE_BOUNDARY: &str = "free-boundary";
 
+/// What is wrong with a deflection that varies by so much.
+const LARGE: &str = "more than a tenth of its length, and linear theory assumes small slopes";
+
 /// What is to be computed, from the arguments.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Route {
@@ -147,6 +150,24 @@ impl Answer {
             }
             _ => verdict.to_string(),
         }
+    }
+
+    /// What may be wrong with the scene or with the model, though there is an answer.
+    pub(super) fn warnings(&self, input: &Input) -> Vec<String> {
+        let large = self.solution.has_answer().then(|| self.solution.state.large_deflection(self.length)).flatten();
+        let value = |varies| input.labels().length.value(varies);
+        let varies = large.map(|varies| format!("the deflection varies by {} along the beam, {LARGE}", value(varies)));
+        input.warnings().iter().cloned().chain(varies).collect()
+    }
+
+    /// The same of several answers.
+    pub(super) fn warnings_of<'a>(all: impl Iterator<Item = &'a Self>, input: &Input) -> Vec<String> {
+        let large = all.filter_map(|answer| answer.solution.state.large_deflection(answer.length));
+        let most = large.max_by(f64::total_cmp).map(|most| {
+            let most = input.labels().length.value(most);
+            format!("the deflection varies by up to {most} along the beam, {LARGE}")
+        });
+        input.warnings().iter().cloned().chain(most).collect()
     }
 
     /// Whether it passed our own check.

@@ -53,15 +53,16 @@ Examples:
   palkki compare report/scenes/ridge.toml --intervals 100 --format json";
 
 const CERTIFY_EXAMPLE: &str = "\
-FORCES is a CSV file with the header x,force: places along the beam and forces of the foundation on
-the beam, positive upwards, all of them.
-On an elastic foundation (foundation.stiffness) a force is that of the spring at a node: it is spread
-evenly over half the distance to its neighbours (list nodes without a force as well, with 0). A beam
-that its supports do not hold is placed where its springs exert these forces as nearly as possible.
-The bound is on the deflection of the beam so loaded and placed, against that of the continuous beam.
+FORCES is a CSV file with the header x,force: positions along the beam, and the forces of the
+foundation on the beam, positive upwards, all of them.
+On an elastic foundation (foundation.stiffness) a force is that of the spring at a node. It is
+spread evenly over half the distance to its neighbours; list the nodes without a force as well,
+with 0. A beam that its supports do not hold is placed where its springs exert these forces as
+nearly as possible. The bound is on the difference of its deflection from that of the continuous
+beam.
 
-For a scene with a [body] the header is i,force or i,clearance: freedoms, from 1, with contact forces
-or clearances. The largest error of a clearance is then bounded from both sides.
+For a scene with a [body] the header is i,force or i,clearance: degrees of freedom, from 1, with
+contact forces or clearances. The largest error of a clearance is then bounded from both sides.
 
 Examples:
   printf 'x,force\\n4,5.4167\\n' > forces.csv

@@ -159,7 +159,8 @@ fn text(input: &Input<Body>, route: &Route, nodes: bool) -> String {
     let mut text = heading(route.status, &route.reason, input);
     text += &list(&[
         ("method", route.method.to_owned()),
-        ("solver", format!("{}, which says: {}", route.solver, route.solver_status)),
+        ("solver", route.solver.to_owned()),
+        ("solver message", route.solver_status.to_owned()),
         ("unknowns", route.unknowns.to_string()),
         ("iterations", route.iterations.to_string()),
         ("seconds", magnitude(route.seconds)),

@@ -149,7 +149,7 @@ impl Page {
             );
         }
         if shaped {
-            text += "\nv counts from the own shape w0: it is level - w0 at a support and u - w0 on the ground.\n";
+            text += "\nv counts from the initial shape w0: it is level - w0 at a support and u - w0 on the ground.\n";
         }
         text
     }

@@ -19,8 +19,9 @@ use super::table::{Row, list, table};
 use super::text::heading;
 
 pub(super) const EXAMPLES: &str = "\
-CONDITION is `contact`, where contact with the foundation begins or ends, or QUANTITY = NUMBER with
-one of these quantities, x being a position along the beam:
+CONDITION is `contact` or QUANTITY = NUMBER. `contact` is where contact with the foundation begins
+or ends; without a foundation, where the beam lifts off a compression-only support or comes to bear
+on it. The quantities are, x being a position along the beam:
 
   deflection(x)   positive downwards
   moment(x)       positive with the underside in tension; just right of x where it jumps
@@ -203,7 +204,7 @@ impl Finding {
     /// What it means that nothing was found.
     fn missed(&self) -> String {
         match self.until.measure {
-            Measure::Contact => "contact with the foundation neither begins nor ends".to_owned(),
+            measure if measure.is_contact() => "contact neither begins nor ends".to_owned(),
             _ => format!("no value was found for which {}", self.until),
         }
     }
@@ -212,6 +213,7 @@ impl Finding {
     fn reached(&self) -> String {
         match self.until.measure {
             Measure::Contact => "contact force, or minus the least clearance".to_owned(),
+            Measure::Bearings => "least force of a bearing, or minus the largest clearance".to_owned(),
             measure => measure.to_string(),
         }
     }

@@ -28,7 +28,7 @@ pub(super) fn given(scene: &Scene, labels: &Labels) -> Vec<(&'static str, String
         lines.push(("supports", supports(scene, labels)));
     }
     if let Some(shape) = scene.beam().shape() {
-        lines.push(("own shape", profile(shape, "w", labels)));
+        lines.push(("initial shape", profile(shape, "w", labels)));
     }
     let ground = scene.foundation().map_or_else(|| "none".to_owned(), |foundation| profile(foundation, "u", labels));
     let step = |&[at, k]: &[f64; 2]| format!("{} from {}", labels.number(k), labels.number(at));
@@ -90,7 +90,8 @@ fn load(scene: &Scene, labels: &Labels) -> String {
         )
     }));
     parts.extend(
-        load.point()
+        scene
+            .point_loads()
             .iter()
             .map(|part| format!("{} at {}", labels.force.value(part.force), labels.length.value(part.at))),
     );

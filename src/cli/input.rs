@@ -7,12 +7,15 @@ use std::path::{Path, PathBuf};
 
 use palkki::body::Body;
 use palkki::body::proof::Brought;
-use palkki::scene::file::{Beside, FileError, Model, Problem, ReadProblem, parse_answers, parse_forces, parse_model};
+use palkki::scene::file::{
+    Beside, FileError, Model, Problem, ReadProblem, parse_answers, parse_forces, parse_model, parse_train,
+};
 use palkki::scene::{Scene, SceneError, Units};
 use palkki::text::Results;
 
 use super::output::Failure;
 use super::table::Labels;
+use super::text::warning_lines;
 
 /// Bytes of the largest survey, or file of contact forces, that is read: ten million rows with all their digits.
 const LARGEST_TABLE: u64 = 512 * 1024 * 1024;
@@ -45,6 +48,14 @@ pub(super) struct Input<M = Scene> {
     warnings: Vec<String>,
 }
 
+/// Where the point loads of a scene may be.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Loads {
+    OnBeam,
+    /// Also beyond the beam, for a sweep.
+    Anywhere,
+}
+
 /// What a scene file turns out to be.
 #[derive(Debug)]
 pub(super) enum Read {
@@ -54,13 +65,17 @@ pub(super) enum Read {
 
 impl Read {
     /// Reads the scene file `path`, or standard input; what it names is relative to its folder, or to the working directory.
-    pub(super) fn scene(path: &Path, results: Results) -> Result<Self, Failure> {
+    pub(super) fn scene(path: &Path, results: Results, loads: Loads) -> Result<Self, Failure> {
         let name = called(path);
         let text = read_argument(path, LARGEST_SCENE)
             .map_err(|problem| Box::new(FileError::whole(&name, Problem::Unreadable(problem))))?;
         let first = if is_standard(path) { PathBuf::from("/dev/stdin") } else { path.to_owned() };
         let mut beside = BesideScene { path, files: vec![first], shown: vec![name.clone()] };
-        let model = parse_model(&name, &text, &mut beside).map_err(|error| beside.shown(error))?;
+        let parse = match loads {
+            Loads::OnBeam => parse_model,
+            Loads::Anywhere => parse_train,
+        };
+        let model = parse(&name, &text, &mut beside).map_err(|error| beside.shown(error))?;
         let files = beside.files;
         Ok(match model {
             Model::Scene(scene) => {
@@ -159,8 +174,7 @@ impl<M> Input<M> {
 
     /// The same as lines for a person, with a blank line behind them; empty if there are none.
     pub(super) fn warning_lines(&self) -> String {
-        let lines: String = self.warnings.iter().map(|warning| format!("Warning: {warning}.\n")).collect();
-        if lines.is_empty() { lines } else { lines + "\n" }
+        warning_lines(&self.warnings)
     }
 
     /// What the scene is called: by its title, or else by its file.

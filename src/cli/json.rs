@@ -24,10 +24,10 @@ pub(super) const MOST_INTERVALS_WITH_NODES: usize = 10_000;
 /// What is printed of the scene itself.
 #[derive(Debug, Serialize)]
 pub(super) struct SceneObject<'a> {
-    scene: &'a str,
+    pub(super) scene: &'a str,
     /// What may be wrong with it, though it has an answer.
     #[serde(skip_serializing_if = "<[String]>::is_empty")]
-    warnings: &'a [String],
+    pub(super) warnings: &'a [String],
 }
 
 impl<'a, M> From<&'a Input<M>> for SceneObject<'a> {
@@ -52,10 +52,11 @@ pub(super) fn solve(input: &Input, answer: &Answer, all_nodes: bool, local: &Loc
         local: &'a Local,
     }
     let exact = answer.solution.exact.as_ref().filter(|_| answer.solution.has_answer());
-    let spans = exact.map(|exact| exact.free_spans(answer.length).iter().map(SpanObject::from).collect());
+    let spans = exact.map(|exact| exact.free_spans(input.scene.beam()).iter().map(SpanObject::from).collect());
     let few = answer.intervals.is_some_and(|intervals| intervals <= MOST_INTERVALS_WITH_NODES);
     let nodes = answer.nodes().filter(|_| few || all_nodes);
-    print(&SolveObject { scene: input.into(), route: answer.into(), spans, nodes, local })
+    let scene = SceneObject { scene: input.title(), warnings: &answer.warnings(input) };
+    print(&SolveObject { scene, route: answer.into(), spans, nodes, local })
 }
 
 /// What `compare` found.
@@ -110,7 +111,7 @@ pub(super) fn certify(input: &Input, finding: &Finding) -> String {
 
 /// What `sweep` found: the number that was varied, its values with their answers, and the events.
 pub(super) fn sweep<'a>(
-    input: &Input,
+    scene: SceneObject<'a>,
     vary: &str,
     rows: &'a [SweptRow],
     events: &[Event],
@@ -141,7 +142,7 @@ pub(super) fn sweep<'a>(
     }
     let row = |row: &'a SweptRow| RowObject { value: row.value, route: (&row.answer).into(), at: &row.at };
     let rows = rows.iter().map(row).collect();
-    print(&SweepObject { scene: input.into(), vary, rows, events, envelope, stopped })
+    print(&SweepObject { scene, vary, rows, events, envelope, stopped })
 }
 
 /// The version of the keys and of what they mean: a key that goes, or means something else, makes it another one.
@@ -281,6 +282,7 @@ struct SpanObject {
     to: f64,
     length: f64,
     clearance: Option<LargestObject>,
+    position: Option<f64>,
     moment: RangeObject,
 }
 
@@ -297,10 +299,10 @@ struct RangeObject {
 }
 
 impl From<&FreeSpan> for SpanObject {
-    fn from(&FreeSpan { from, to, clearance, moment }: &FreeSpan) -> Self {
+    fn from(&FreeSpan { from, to, clearance, position, moment }: &FreeSpan) -> Self {
         let clearance = clearance.map(|clearance| LargestObject { max: clearance.max, at: clearance.max_at });
         let moment = RangeObject { max: moment.max, min: moment.min };
-        Self { from, to, length: to - from, clearance, moment }
+        Self { from, to, length: to - from, clearance, position, moment }
     }
 }
 

@@ -44,7 +44,7 @@ use palkki::verdict::Demand;
 use self::answer::{Answer, Route};
 use self::arguments::{Arguments, Command, Common, Format, SceneArgument, Solve, Varied};
 use self::files::Files;
-use self::input::{Input, Read};
+use self::input::{Input, Loads, Read};
 use self::local::Local;
 use self::output::Failure;
 
@@ -115,14 +115,14 @@ struct Outcome<'a> {
 /// Reads the scene, does the work, writes the files that go to `places` and prints the answer; the code is that of the answer.
 /// `what` is printed if the work takes long.
 fn run_on_scene<'a>(
-    scene: &SceneArgument,
+    (scene, loads): (&SceneArgument, Loads),
     format: Format,
     what: String,
     places: &[&Option<PathBuf>],
     on_beam: impl FnOnce(&Input) -> Result<Outcome<'a>, Failure>,
     on_body: impl FnOnce(&Input<Body>) -> Result<Outcome<'a>, Failure>,
 ) -> Result<u8, Failure> {
-    let read = Read::scene(&scene.path, Results::with_digits(scene.digits))?;
+    let read = Read::scene(&scene.path, Results::with_digits(scene.digits), loads)?;
     let mut files = Files::default();
     // Before the work, so that a bad name is not found out about after it.
     for path in places.iter().copied().flatten() {
@@ -175,7 +175,9 @@ fn solve(arguments: &Solve) -> Result<u8, Failure> {
         Ok(Outcome { text, files: vec![csv, plot, proof], is_certified: answer.is_certified() })
     };
     let places = [csv, plot, proof];
-    run_on_scene(&common.scene, common.format, what, &places, on_beam, |input| body::solve(input, arguments))
+    run_on_scene((&common.scene, Loads::OnBeam), common.format, what, &places, on_beam, |input| {
+        body::solve(input, arguments)
+    })
 }
 
 /// The figure of `--plot`.
@@ -199,7 +201,9 @@ fn compare(arguments: &arguments::Compare) -> Result<u8, Failure> {
         let text = common.shown(|| compare::text(input, &found), || json::compare(input, &found));
         Ok(Outcome { text, files: Vec::new(), is_certified: found.is_certified() })
     };
-    run_on_scene(&common.scene, common.format, what, &[], on_beam, |input| Ok(body::compare(input, common)))
+    run_on_scene((&common.scene, Loads::OnBeam), common.format, what, &[], on_beam, |input| {
+        Ok(body::compare(input, common))
+    })
 }
 
 fn certify(arguments: &arguments::Certify) -> Result<u8, Failure> {
@@ -214,7 +218,9 @@ fn certify(arguments: &arguments::Certify) -> Result<u8, Failure> {
         let text = common.shown(|| certify::text(input, &found), || json::certify(input, &found));
         Ok(Outcome { text, files: Vec::new(), is_certified: found.verdict.status == Status::Certified })
     };
-    run_on_scene(&common.scene, common.format, what, &[], on_beam, |input| body::certify(input, arguments))
+    run_on_scene((&common.scene, Loads::OnBeam), common.format, what, &[], on_beam, |input| {
+        body::certify(input, arguments)
+    })
 }
 
 fn sweep(arguments: &arguments::Sweep) -> Result<u8, Failure> {
@@ -235,7 +241,7 @@ fn sweep(arguments: &arguments::Sweep) -> Result<u8, Failure> {
         let text = common.shown(|| swept.text(input), || swept.json(input));
         Ok(Outcome { text, files: vec![csv, plot], is_certified: swept.is_certified() })
     };
-    run_on_scene(&common.scene, common.format, what, &[csv, plot], on_beam, |_| {
+    run_on_scene((&common.scene, Loads::Anywhere), common.format, what, &[csv, plot], on_beam, |_| {
         Err(Failure::refused("sweep", NOTHING_TO_VARY))
     })
 }
@@ -250,7 +256,9 @@ fn find(arguments: &find::Find) -> Result<u8, Failure> {
         let text = common.shown(|| finding.text(input), || finding.json(input));
         Ok(Outcome { text, files: Vec::new(), is_certified: finding.is_certified() })
     };
-    run_on_scene(&common.scene, common.format, what, &[], on_beam, |_| Err(Failure::refused("find", NOTHING_TO_VARY)))
+    run_on_scene((&common.scene, Loads::Anywhere), common.format, what, &[], on_beam, |_| {
+        Err(Failure::refused("find", NOTHING_TO_VARY))
+    })
 }
 
 fn explain(arguments: &explain::Explain) -> Result<u8, Failure> {
@@ -266,7 +274,7 @@ fn explain(arguments: &explain::Explain) -> Result<u8, Failure> {
         let text = explain::text(input, &answer, *format);
         Ok(Outcome { text, files: Vec::new(), is_certified: answer.is_certified() })
     };
-    run_on_scene(scene, Format::Text, what, &[], on_beam, |_| {
+    run_on_scene((scene, Loads::OnBeam), Format::Text, what, &[], on_beam, |_| {
         Err(Failure::refused("explain", "the equations are those of a beam"))
     })
 }
@@ -280,7 +288,7 @@ fn export(arguments: &arguments::Export) -> Result<u8, Failure> {
     let places_of_files: Vec<_> = places.iter().collect();
     let on_beam = |input: &Input| export::export(input, arguments, &places);
     let on_body = |_: &Input<Body>| Err(Failure::refused("export", "a scene with a [body] is one of matrices already"));
-    let done = run_on_scene(&common.scene, common.format, what, &places_of_files, on_beam, on_body);
+    let done = run_on_scene((&common.scene, Loads::OnBeam), common.format, what, &places_of_files, on_beam, on_body);
     if is_new && done.is_err() {
         // It is empty; an error of removing it changes nothing.
         let _ = std::fs::remove_dir(&arguments.to);

@@ -15,10 +15,10 @@ use super::answer::Answer;
 use super::csv::field;
 use super::given::given;
 use super::input::Input;
-use super::json;
+use super::json::{self, SceneObject};
 use super::output::Failure;
 use super::table::{Labels, MOST_ROWS, Row, list, table};
-use super::text::heading;
+use super::text::titled;
 
 /// Rows of a table for a person; of more so many are shown.
 const SHOWN: usize = 41;
@@ -167,7 +167,12 @@ impl Swept {
 
     pub(super) fn json(&self, input: &Input) -> String {
         let Self { paths, rows, events, envelope, stopped, .. } = self;
-        json::sweep(input, paths, rows, events, envelope.as_ref(), stopped.as_ref())
+        let scene = SceneObject { scene: input.title(), warnings: &self.warnings(input) };
+        json::sweep(scene, paths, rows, events, envelope.as_ref(), stopped.as_ref())
+    }
+
+    fn warnings(&self, input: &Input) -> Vec<String> {
+        Answer::warnings_of(self.rows.iter().map(|row| &row.answer), input)
     }
 
     pub(super) fn figure(&self, input: &Input) -> Result<String, Failure> {
@@ -188,7 +193,7 @@ impl Swept {
         let varied = varied(&self.paths);
         let of = self.stopped.as_ref().map_or(self.rows.len(), |stopped| stopped.of);
         let ended = if self.stopped.is_some() { " are certified, and the sweep is not whole" } else { "" };
-        let mut text = heading(status, &format!("{certified} of {of} answers{ended}"), input);
+        let mut text = titled(status, &format!("{certified} of {of} answers{ended}"), input, &self.warnings(input));
         text += &list(&given(&input.scene, &labels));
         text.push('\n');
         text += &list(&[

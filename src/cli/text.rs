@@ -4,9 +4,10 @@ use std::fmt::Display;
 
 use palkki::certificate::Certificate;
 use palkki::route::Status;
+use palkki::scene::Beam;
 use palkki::state::{Contact, Extremes, Motion, Nodes, Pressure, Standing, SupportForce, Touch};
 use palkki::text::{magnitude, magnitude_at_most};
-use palkki::theory::FreeSpan;
+use palkki::theory::{Exact, FreeSpan};
 
 use super::answer::{Answer, Grids};
 use super::given::given;
@@ -15,12 +16,23 @@ use super::table::{Label, Labels, MOST_ROWS, Row, first, list, table};
 
 /// The status with its reason, in the first line, and the title of the scene, underlined.
 pub(super) fn heading<M>(status: impl Display, reason: &str, input: &Input<M>) -> String {
+    titled(status, reason, input, input.warnings())
+}
+
+/// The same with other warnings.
+pub(super) fn titled<M>(status: impl Display, reason: &str, input: &Input<M>, warnings: &[String]) -> String {
     let title = input.title();
-    format!("{status}: {reason}\n\n{title}\n{}\n\n{}", "=".repeat(title.chars().count()), input.warning_lines())
+    format!("{status}: {reason}\n\n{title}\n{}\n\n{}", "=".repeat(title.chars().count()), warning_lines(warnings))
+}
+
+/// Warnings as lines for a person, with a blank line behind them; empty if there are none.
+pub(super) fn warning_lines(warnings: &[String]) -> String {
+    let lines: String = warnings.iter().map(|warning| format!("Warning: {warning}.\n")).collect();
+    if lines.is_empty() { lines } else { lines + "\n" }
 }
 
 /// Where the witness of a certificate is not the list of contacts of the beam.
-const COARSE: &str = "These bounds hold and are coarse: no list of contacts was proven to be that of the beam.\n";
+const COARSE: &str = "These bounds are true and wide: no contact list was proven to be that of the beam.\n";
 
 /// A bracket, rounded outwards; `none` without one.
 fn bracket(of: Option<[f64; 2]>, labels: &Labels) -> [String; 2] {
@@ -69,7 +81,7 @@ fn text_of(certificate: &Certificate, mut rows: Vec<Row>, left_out: &str, labels
     let mut table = table("Guaranteed for the continuous beam", &["", BRACKET[0], BRACKET[1]], &rows) + left_out;
     if let Some(about) = certificate.up_to_a_turn {
         table += &format!(
-            "The deflection is guaranteed up to a turn about x = {}: nothing says how the beam stands.\n",
+            "The deflection is bounded up to a rotation about x = {}: its slope there is not determined.\n",
             labels.number(about)
         );
     }
@@ -79,7 +91,8 @@ fn text_of(certificate: &Certificate, mut rows: Vec<Row>, left_out: &str, labels
 /// The answer of `solve`: how it was found, equilibrium, contacts, extremes, and what is guaranteed.
 pub(super) fn solve(input: &Input, answer: &Answer, nodes: bool) -> String {
     let labels = input.labels();
-    let mut text = heading(answer.solution.verdict.status, &reason(answer), input);
+    let warnings = answer.warnings(input);
+    let mut text = titled(answer.solution.verdict.status, &reason(answer), input, &warnings);
     text += &list(&given(&input.scene, &labels));
     text.push('\n');
     text += &how(answer);
@@ -96,7 +109,7 @@ pub(super) fn solve(input: &Input, answer: &Answer, nodes: bool) -> String {
     if let Some(exact) = &answer.solution.exact
         && 1 < answer.solution.state.touched().len()
     {
-        text += &spans(&exact.free_spans(answer.length), &labels);
+        text += &spans(input.scene.beam(), exact, &labels);
     }
     if let Some(certificate) = &answer.solution.verdict.certificate {
         text += &others(certificate, &labels);
@@ -124,7 +137,8 @@ fn how(answer: &Answer) -> String {
     };
     list(&[
         ("method", method),
-        ("solver", format!("{}, which says: {}", answer.solver, solution.run.message)),
+        ("solver", answer.solver.to_owned()),
+        ("solver message", solution.run.message.to_string()),
         ("regime", solution.state.regime.name().to_owned()),
         ("unknowns", solution.unknowns.to_string()),
         ("iterations", solution.run.iterations.to_string()),
@@ -183,7 +197,7 @@ fn equilibrium(input: &Input, answer: &Answer, labels: &Labels) -> String {
     let known = bracket(certificate.and_then(|c| c.contact_force), labels);
     rows.push(row("contact".to_owned(), labels.number(contact), "up", known));
     // That is rounding, of which only the size is of interest.
-    rows.push(row("what remains".to_owned(), magnitude(remains), "", none()));
+    rows.push(row("equilibrium residual".to_owned(), magnitude(remains), "", none()));
     let mut text = table("Equilibrium", &["", &labels.force.name(COMPUTED), "", BRACKET[0], BRACKET[1]], &rows);
     text += &first("supports", state.supports.len(), state.supports.len().min(MOST_ROWS));
     let moments: Vec<Row> = state
@@ -216,7 +230,7 @@ fn stands(standing: &Standing, labels: &Labels) -> String {
         if margin.is_nan() { "none: a support holds the beam down".to_owned() } else { labels.number(*margin) };
     let mut rows: Vec<Row> = vec![
         vec![labels.force.name("resultant of the loads"), labels.number(resultant.force)],
-        vec![labels.length.name("its place"), labels.number(resultant.at)],
+        vec![labels.length.name("its position"), labels.number(resultant.at)],
         vec!["margin against overturning".to_owned(), margin_in_words],
     ];
     if let Some(Motion { about, slope: [least, most] }) = motion {
@@ -274,31 +288,30 @@ fn touches(touches: &[Touch], labels: &Labels) -> String {
     format!("Without pressing, the beam touches {shown}{more}\n")
 }
 
-/// The stretches between contacts.
-fn spans(spans: &[FreeSpan], labels: &Labels) -> String {
+/// The stretches between contacts; with the position of a beam that has another one than its deflection, or no support.
+fn spans(beam: &Beam, exact: &Exact, labels: &Labels) -> String {
+    let spans = exact.free_spans(beam);
+    if spans.is_empty() {
+        return String::new();
+    }
+    let has_position = beam.shape().is_some() || beam.all_supports().is_empty();
     let row = |span: &FreeSpan| -> Row {
-        let &FreeSpan { from, to, clearance, moment } = span;
+        let &FreeSpan { from, to, clearance, position, moment } = span;
         let (clearance, at) = clearance.map_or((f64::INFINITY, f64::INFINITY), |c| (c.max, c.max_at));
-        let numbers = [from, to, to - from, clearance, at, moment.max, moment.min];
-        numbers.map(|number| if number.is_finite() { labels.number(number) } else { String::new() }).to_vec()
+        let position = has_position.then_some(position.unwrap_or(f64::INFINITY));
+        let numbers = [from, to, to - from, clearance, at].into_iter().chain(position).chain([moment.max, moment.min]);
+        numbers.map(|number| if number.is_finite() { labels.number(number) } else { String::new() }).collect()
     };
     let [length, moment] = [&labels.length, &labels.moment];
-    let header = [
-        length.name("from"),
-        length.name("to"),
-        length.name("length"),
-        length.name("largest clearance"),
-        length.name("at"),
-        moment.name("largest moment"),
-        moment.name("least moment"),
-    ];
+    let of_length = |names: &[&str]| names.iter().map(|name| length.name(name)).collect::<Vec<_>>();
+    let mut header = of_length(&["from", "to", "length", "largest clearance", "at"]);
+    if has_position {
+        header.push(length.name("position there"));
+    }
+    header.extend(["largest moment", "least moment"].map(|name| moment.name(name)));
     let shown = spans.len().min(MOST_ROWS);
     let rows: Vec<Row> = spans.iter().take(shown).map(row).collect();
-    if rows.is_empty() {
-        String::new()
-    } else {
-        table("Free spans", &header, &rows) + &first("spans", spans.len(), shown)
-    }
+    table("Free spans", &header, &rows) + &first("spans", spans.len(), shown)
 }
 
 fn extremes(answer: &Answer, labels: &Labels) -> String {

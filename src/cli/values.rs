@@ -39,7 +39,7 @@ impl ValueEnum for MethodArgument {
 
     fn to_possible_value(&self) -> Option<PossibleValue> {
         Some(match self {
-            Self::Exact => PossibleValue::new("exact").help("the exact solution of beam theory, no grid"),
+            Self::Exact => PossibleValue::new("exact").help("the grid-free solution of beam theory"),
             Self::Discretised(method) => PossibleValue::new(method.name()).help(match method {
                 Method::Complementarity => "finite differences: no penetration, no tension, one of the two everywhere",
                 Method::Displacement => "beam elements: least potential energy without penetration at the nodes",
@@ -94,7 +94,7 @@ impl ValueEnum for SolverArgument {
     fn to_possible_value(&self) -> Option<PossibleValue> {
         Some(PossibleValue::new(self.0.name()).help(match self.0 {
             Solver::ActiveSet => "exchanges nodes until the contact set is right; always ends at the optimum",
-            Solver::Nsor => "projected over-relaxation, which the paper recommends for many unknowns",
+            Solver::Nsor => "projected over-relaxation, which the paper calls usable for many unknowns",
             #[cfg(feature = "clarabel")]
             Solver::Clarabel => "interior points, a library",
             #[cfg(feature = "osqp")]

@@ -178,7 +178,7 @@ impl Labels {
                 let covered = taken.iter().filter(|t| t.meets(&frame)).count();
                 let crossed = near.iter().filter(|p| frame.holds(**p)).count() + usize::from(frame.holds(label.at));
                 let cost =
-                    COVERED_LABEL * count(covered) + 3.0 * count(crossed) + 5.0 * count(ring) + 0.5 * count(turn);
+                    COVERED_LABEL * count(covered) + 6.0 * count(crossed) + 5.0 * count(ring) + 0.5 * count(turn);
                 if best.is_none_or(|(least, _)| cost < least) {
                     best = Some((cost, frame));
                 }

@@ -6,6 +6,7 @@ pub(crate) mod axial;
 mod balance;
 mod beam;
 mod bend;
+mod beyond;
 mod depths;
 mod error;
 mod far_depths;
@@ -55,6 +56,8 @@ pub struct Scene {
     /// Of ground that gives; rigid without.
     stiffness: Option<GroundStiffness>,
     units: Units,
+    /// Point loads beyond the beam by their index; in `load` each is a force of zero.
+    beyond: Vec<(usize, PointLoad)>,
 }
 
 /// Labels for numbers that a person reads; never used in arithmetic.
@@ -104,7 +107,15 @@ impl Scene {
             Some(_) => foundation.defined_for(&beam),
         };
         let foundation = foundation.map(checked).transpose()?.map(Arc::new);
-        Ok(Self { title: String::new(), beam, load, foundation, stiffness, units: Units::default() })
+        Ok(Self {
+            title: String::new(),
+            beam,
+            load,
+            foundation,
+            stiffness,
+            units: Units::default(),
+            beyond: Vec::new(),
+        })
     }
 
     /// The same scene on supports that hold in the places of those that only push and are `pressed`, without the others.

@@ -282,7 +282,7 @@ impl Numbers {
             shape: beam.shape().cloned(),
             uniform: load.uniform(),
             linear: load.linear().to_vec(),
-            point: load.point().to_vec(),
+            point: scene.point_loads(),
             couple: load.couple().to_vec(),
             foundation: scene.foundation().cloned(),
             springs: scene.stiffness.clone(),

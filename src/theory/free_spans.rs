@@ -3,7 +3,7 @@
 use super::exact::Exact;
 use super::piece::Piece;
 use super::summary;
-use crate::scene::Scale;
+use crate::scene::{Beam, Scale};
 use crate::state::Extremes;
 
 /// A stretch of the beam without contact: between two contacts, or from one to an end of the beam. Supports that hold the beam may stand
@@ -16,23 +16,28 @@ pub struct FreeSpan {
     pub to: f64,
     /// Its clearance; [`None`] where there is no foundation \[length\].
     pub clearance: Option<Extremes>,
+    /// `w0 + v` at the largest clearance, positive downwards; [`None`] where there is no foundation \[length\].
+    pub position: Option<f64>,
     /// Its moments, positive with the underside in tension \[force · length\].
     pub moment: Extremes,
 }
 
 impl Exact {
-    /// The stretches of a beam of this length without contact, from left to right: neither do they press, nor does the beam lie there.
+    /// The stretches of this beam without contact, from left to right: neither do they press, nor does the beam lie there.
     #[must_use]
-    pub fn free_spans(&self, length: f64) -> Vec<FreeSpan> {
+    pub fn free_spans(&self, beam: &Beam) -> Vec<FreeSpan> {
+        let shape = |x: f64| beam.shape().map_or(0.0, |shape| shape.depth(x));
         let touches = self.state.touches.iter().map(|touch| [touch.from, touch.to]);
         let mut contacts: Vec<[f64; 2]> =
             self.state.touched().iter().map(|contact| [contact.from, contact.to]).chain(touches).collect();
         contacts.sort_by(|a, b| a[0].total_cmp(&b[0]));
         let (mut spans, mut from) = (Vec::new(), 0.0);
-        for [start, end] in contacts.into_iter().chain([[length; 2]]) {
+        for [start, end] in contacts.into_iter().chain([[beam.length(); 2]]) {
             if from < start {
                 let clearance = self.clearance_above_ground(from, start);
-                spans.push(FreeSpan { from, to: start, clearance, moment: self.moment_extremes(from, start) });
+                let position = clearance.map(|clearance| clearance.max_at).map(|x| shape(x) + self.deflection(x));
+                let moment = self.moment_extremes(from, start);
+                spans.push(FreeSpan { from, to: start, clearance, position, moment });
             }
             from = from.max(end);
         }

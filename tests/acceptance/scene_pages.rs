@@ -198,8 +198,8 @@ fn errors(
 fn every_scene_has_its_page() {
     with_our_settings!("All that is pinned about one scene, by the active set", Numdiff, {
         insta::glob!("../../report/scenes", "**/*.toml", |path| {
-            // A body has no beam; its answer stands beside it.
-            if path.components().any(|part| part.as_os_str() == "bodies") {
+            // A body has no beam, and a train that is not on its bridge yet has no answer.
+            if path.components().any(|part| ["bodies", "trains"].iter().any(|folder| part.as_os_str() == *folder)) {
                 return;
             }
             let text = fs::read_to_string(path).expect("a scene file");

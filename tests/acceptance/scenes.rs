@@ -47,17 +47,24 @@ pub(crate) fn text(name: &str) -> String {
 /// The scene `report/scenes/<name>.toml`.
 #[track_caller]
 pub(crate) fn scene(name: &str) -> Scene {
-    parse(name, &text(name), |survey| fs::read_to_string(directory().join(survey)).map_err(|_| ReadProblem::Missing))
+    let beside = |survey: &str| fs::read_to_string(directory().join(name).with_file_name(survey));
+    parse(name, &text(name), |survey| beside(survey).map_err(|_| ReadProblem::Missing))
         .unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// All scenes of the report by name, in the order of the alphabet.
+/// All scenes of the gallery by name, in the order of the alphabet.
 pub(crate) fn report() -> Vec<(String, Scene)> {
-    let entries = fs::read_dir(directory()).expect("the scenes of the report are there");
+    in_folder("")
+}
+
+/// The scenes of a folder of the report by name, in the order of the alphabet.
+pub(crate) fn in_folder(folder: &str) -> Vec<(String, Scene)> {
+    let entries = fs::read_dir(directory().join(folder)).expect("the scenes of the report are there");
     let mut names: Vec<String> = entries
         .map(|entry| entry.expect("the directory can be listed").path())
         .filter(|path| path.extension().is_some_and(|ending| ending == "toml"))
         .filter_map(|path| Some(path.file_stem()?.to_string_lossy().into_owned()))
+        .map(|name| if folder.is_empty() { name } else { format!("{folder}/{name}") })
         .collect();
     names.sort();
     names.into_iter().map(|name| (name.clone(), scene(&name))).collect()

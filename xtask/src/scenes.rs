@@ -2,10 +2,11 @@
 
 use std::fs;
 use std::io;
+use std::ops::ControlFlow;
 use std::path::Path;
 
 use palkki::scene::Scene;
-use palkki::scene::file::{ReadProblem, parse};
+use palkki::scene::file::{Beside, Model, ReadProblem, parse, parse_train};
 
 use crate::Cause;
 use crate::report::files;
@@ -42,6 +43,30 @@ pub(crate) fn listed(root: &Path, directory: &str) -> Result<Vec<(String, Scene)
 /// One scene of the gallery.
 pub(crate) fn read(root: &Path, name: &str) -> Result<Scene, Cause> {
     of(root, GALLERY, name)
+}
+
+/// Trains that cross a bridge: scenes for sweeps.
+pub(crate) const TRAINS: &str = "report/scenes/trains";
+
+struct NoFiles;
+
+impl Beside for NoFiles {
+    fn text(&mut self, _: &str) -> Result<String, ReadProblem> {
+        Err(ReadProblem::Missing)
+    }
+
+    fn lines(&mut self, _: &str, _: &mut dyn FnMut(&str) -> ControlFlow<()>) -> Result<(), ReadProblem> {
+        Err(ReadProblem::Missing)
+    }
+}
+
+/// A train.
+pub(crate) fn train(root: &Path, name: &str) -> Result<Scene, Cause> {
+    let text = fs::read_to_string(root.join(TRAINS).join(format!("{name}.toml")))?;
+    match parse_train(name, &text, &mut NoFiles)? {
+        Model::Scene(scene) => Ok(scene),
+        Model::Body(_) => Err(format!("{name} is a body").into()),
+    }
 }
 
 /// A scene of one of the directories.

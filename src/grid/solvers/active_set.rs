@@ -39,9 +39,8 @@
 
 // Discrepancy: beyond-four-steps
 //
-// The paper only names "some algorithm of nonlinear optimisation" for the continuation. Our choice is a descent that fixes and
-// releases many variables at a time. Lawson and Hanson (1974) give the step that makes it finite, Portugal, Júdice and Vicente (1994)
-// exchanges of many variables, which may cycle without such a step.
+// For the continuation the paper names "some algorithm of nonlinear optimisation". Ours fixes and releases many variables at a time
+// (Portugal, Júdice and Vicente 1994), with the step of Lawson and Hanson (1974) that makes it finite.
 
 use super::{Answer, MOST_WORK, Run};
 use crate::qp::{FreeSet, NotPositiveDefinite, Qp, Stationary};

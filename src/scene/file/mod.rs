@@ -50,7 +50,7 @@ pub fn parse(
     mut read_survey: impl FnMut(&str) -> Result<String, ReadProblem>,
 ) -> Result<Scene, Box<FileError>> {
     let source = Source { name, text };
-    parse_beam(source, &source.document()?, &mut read_survey)
+    parse_beam(source, &source.document()?, &mut read_survey, false)
 }
 
 /// Reads a scene file with a beam or with a [body](crate::body); what is beside it is read by `beside`.
@@ -59,18 +59,32 @@ pub fn parse(
 ///
 /// Those of [`parse`], and what is wrong with the files of a body.
 pub fn parse_model(name: &str, text: &str, beside: &mut dyn Beside) -> Result<Model, Box<FileError>> {
+    model(name, text, beside, false)
+}
+
+/// Reads a scene file for a sweep: point loads may lie beyond the beam, where they are none ([`Scene::loads_beyond`]).
+///
+/// # Errors
+///
+/// Those of [`parse_model`].
+pub fn parse_train(name: &str, text: &str, beside: &mut dyn Beside) -> Result<Model, Box<FileError>> {
+    model(name, text, beside, true)
+}
+
+fn model(name: &str, text: &str, beside: &mut dyn Beside, is_train: bool) -> Result<Model, Box<FileError>> {
     let source = Source { name, text };
     let document = source.document()?;
     if document.get_ref().contains_key("body") {
         return body::read(source, document.get_ref(), beside).map(|body| Model::Body(Box::new(body)));
     }
-    parse_beam(source, &document, &mut |survey| beside.text(survey)).map(Model::Scene)
+    parse_beam(source, &document, &mut |survey| beside.text(survey), is_train).map(Model::Scene)
 }
 
 fn parse_beam(
     source: Source<'_>,
     document: &Spanned<DeTable<'_>>,
     read_survey: &mut dyn FnMut(&str) -> Result<String, ReadProblem>,
+    is_train: bool,
 ) -> Result<Scene, Box<FileError>> {
     let name = source.name;
     let mut contents = contents::read(document.get_ref()).map_err(|e| source.error(e.span, e.problem))?;
@@ -90,10 +104,11 @@ fn parse_beam(
     let (foundation, below) = profile(contents.foundation)?;
     let (shape, own) = profile(contents.beam.shape.take())?;
     let surveys = [(Profile::Foundation, below), (Profile::Shape, own)];
+    let beyond = if is_train { Scene::taken_beyond(&mut contents.load.point, length) } else { Vec::new() };
     let located = Located { source: &source, document: document.get_ref(), surveys: &surveys };
     let scene =
         assemble(contents.beam, shape, contents.load, foundation, contents.stiffness).map_err(|e| located.error(e))?;
-    Ok(scene.labelled(contents.title, contents.units))
+    Ok(scene.labelled(contents.title, contents.units).with_loads_beyond(beyond))
 }
 
 /// A file as messages need it: what it is called and what is in it.

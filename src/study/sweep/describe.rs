@@ -55,6 +55,11 @@ pub(super) fn touches(pattern: &Pattern) -> bool {
     pattern.kinds.iter().any(is_ground)
 }
 
+/// The bearings that the beam bears on.
+pub(super) fn pressed(pattern: &Pattern) -> Vec<ContactKind> {
+    pattern.kinds.iter().filter(|kind| !is_ground(kind)).copied().collect()
+}
+
 /// The regime of contacts by their kinds: beside an event the length of a zone may be below the last digit of its place.
 fn regime(kinds: &[ContactKind]) -> Regime {
     match kinds {

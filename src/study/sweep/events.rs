@@ -6,7 +6,8 @@
 
 use std::cell::Cell;
 
-use super::describe::{describe, touches};
+use super::describe::{describe, pressed, touches};
+use super::until::Measure;
 use super::{Row, Sweep};
 use crate::theory::{Exact, Pattern};
 
@@ -111,13 +112,24 @@ impl Sweep<'_> {
         (Events { events: search.described(roots), until }, taken)
     }
 
-    /// The values between rows at which contact with the foundation begins or ends, in their order, each with what it may be off by; and
+    /// The values between rows at which contact begins or ends, with the foundation or with a bearing, in their order, each with its error; and
     /// whether so much work was enough to find them.
-    pub(super) fn changes_of_contact(&self, rows: &[(f64, Pattern)], work: u64) -> (Vec<(f64, f64)>, bool) {
+    pub(super) fn changes_of_contact(
+        &self,
+        with: Measure,
+        rows: &[(f64, Pattern)],
+        work: u64,
+    ) -> (Vec<(f64, f64)>, bool) {
         let search = Search { sweep: self, left: Cell::new(work) };
         let (roots, until) = search.inside(rows);
         search.left.set(u64::MAX);
-        let changes = |root: &&Root| touches(&root.before.pattern) != touches(&root.after.pattern);
+        let changes = |root: &&Root| {
+            let [before, after] = [&root.before.pattern, &root.after.pattern];
+            match with {
+                Measure::Bearings => pressed(before) != pressed(after),
+                _ => touches(before) != touches(after),
+            }
+        };
         (search.single(roots).iter().filter(changes).map(|root| search.settled(root)).collect(), until.is_none())
     }
 }

@@ -11,7 +11,7 @@ use std::cell::{Cell, RefCell};
 use super::events::BESIDE;
 use super::follow::FARTHER;
 use super::govern::{Extreme, Govern, Largest};
-use super::until::{Measure, Measured, Until};
+use super::until::{Measured, Until};
 use super::{Sweep, SweepError, last, root};
 
 /// A measure that changes by more than this share of its size from just below a value to just above it jumps there.
@@ -93,7 +93,7 @@ impl Sweep<'_> {
         }
         search.govern.towards(until.target);
         let mut reached = match until.measure {
-            Measure::Contact => search.contact(),
+            measure if measure.is_contact() => search.contact(),
             _ => search.reached(until.target),
         };
         let mut nearest = None;
@@ -124,8 +124,11 @@ impl Find<'_> {
         let values: Vec<f64> = known.map(|sample| sample.value).collect();
         let ends = [values.first(), values.last()].into_iter().flatten();
         let kind = |value: &f64| Some((*value, self.sweep.answer(*value, &[]).ok()?.1.pattern()));
-        let (changes, is_whole) =
-            self.sweep.changes_of_contact(&ends.filter_map(kind).collect::<Vec<_>>(), self.left.get());
+        let (changes, is_whole) = self.sweep.changes_of_contact(
+            self.until.measure,
+            &ends.filter_map(kind).collect::<Vec<_>>(),
+            self.left.get(),
+        );
         if !is_whole {
             self.left.set(0);
         }
@@ -236,7 +239,7 @@ impl Find<'_> {
             let is_nearest = [below, above].iter().all(|(_, farther)| *farther <= FARTHER[0]);
             is_nearest && JUMP * size < (above.0.reached - below.0.reached).abs()
         };
-        let crosses = !matches!(self.until.measure, Measure::Contact) && !stays;
+        let crosses = !self.until.measure.is_contact() && !stays;
         let jumps = crosses && below.as_ref().zip(above.as_ref()).is_some_and(changes);
         let [below, above] = [below, above].map(|beside| beside.map(|(beside, _)| beside));
         Found { value: from, until: stays.then_some(to), uncertainty: off, jumps, below, above }

@@ -37,6 +37,7 @@ mod follow;
 mod govern;
 mod root;
 mod settle;
+mod train;
 mod until;
 
 use crate::route::Solution;
@@ -202,41 +203,6 @@ impl<'a> Sweep<'a> {
     pub fn values(&self) -> impl ExactSizeIterator<Item = f64> + use<> {
         let ([from, to], last) = (self.range, self.steps - 1);
         (0..self.steps).map(move |i| if i == last { to } else { from + (to - from) * (i as f64 / last as f64) })
-    }
-
-    /// The scene with a value. A point load whose place is beyond the beam is no load: a train comes onto the beam and leaves it.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Scene::with_number`].
-    pub fn scene(&self, value: f64) -> Result<Scene, SceneError> {
-        let [numbers, beyond] = self.numbers(value);
-        let none = beyond.into_iter().filter_map(|(quantity, _)| match quantity {
-            Quantity::PointAt(i) => Some((Quantity::PointForce(i), 0.0)),
-            _ => None,
-        });
-        // What is no load has no force, whatever it would have.
-        self.scene.with_numbers(numbers.into_iter().chain(none))
-    }
-
-    /// The numbers for a value, and the places beyond the beam among them.
-    fn numbers(&self, value: f64) -> [Vec<(Quantity, f64)>; 2] {
-        let by = value - self.scene.number(self.quantity).unwrap_or_default();
-        let with = self.with.iter().map(|moves| (moves.quantity, moves.number + moves.sign * by));
-        let length = self.scene.beam().length();
-        let is_beyond =
-            |(quantity, at): &(Quantity, f64)| matches!(quantity, Quantity::PointAt(_)) && !(0.0..=length).contains(at);
-        let (beyond, numbers) = std::iter::once((self.quantity, value)).chain(with).partition(is_beyond);
-        [numbers, beyond]
-    }
-
-    /// True if the same loads are on the beam for two values.
-    fn has_same_loads(&self, a: f64, b: f64) -> bool {
-        let beyond = |value: f64| {
-            let [_, beyond] = self.numbers(value);
-            beyond.into_iter().map(|(quantity, _)| quantity).collect::<Vec<_>>()
-        };
-        beyond(a) == beyond(b)
     }
 
     /// A walk along the values.

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::scene::{Scene, shown};
+use crate::scene::{Beam, Scene, shown};
 use crate::theory::Exact;
 
 /// A number that each answer of a sweep has.
@@ -21,6 +21,9 @@ pub enum Measure {
     /// The total contact force where the beam touches the foundation \[force\]; where it does not, minus the least clearance \[length\]:
     /// zero where contact begins or ends.
     Contact,
+    /// Without a foundation, of compression-only supports: their least force where the beam bears on all of them \[force\], else minus the
+    /// largest clearance at one \[length\].
+    Bearings,
 }
 
 /// A measure and the number that it is to be.
@@ -28,7 +31,7 @@ pub enum Measure {
 pub struct Until {
     /// What is measured.
     pub measure: Measure,
-    /// What it is to be; 0 for [`Measure::Contact`].
+    /// What it is to be; 0 for [`Measure::Contact`] and [`Measure::Bearings`].
     pub target: f64,
 }
 
@@ -37,7 +40,7 @@ pub struct Until {
 pub enum UntilError {
     /// It has none of the forms.
     #[error(
-        "`{0}` is not a condition. The forms are `contact`, where contact with the foundation begins or ends, and `QUANTITY = NUMBER` \
+        "`{0}` is not a condition. The forms are `contact`, where contact begins or ends, and `QUANTITY = NUMBER` \
          with one of the quantities deflection(x), moment(x), shear(x), clearance(x), and support[i] for a reaction"
     )]
     Form(String),
@@ -68,7 +71,7 @@ pub enum UntilError {
         count: usize,
     },
     /// There is nothing to touch.
-    #[error("`{0}` needs a foundation, and the scene has none")]
+    #[error("`{0}` needs a foundation or a support with `pushes_only`, and the scene has neither")]
     NoFoundation(Measure),
 }
 
@@ -80,7 +83,7 @@ impl fmt::Display for Measure {
             Self::Shear(x) => write!(f, "shear({x})"),
             Self::Clearance(x) => write!(f, "clearance({x})"),
             Self::Support(index) => write!(f, "support[{index}]"),
-            Self::Contact => f.write_str("contact"),
+            Self::Contact | Self::Bearings => f.write_str("contact"),
         }
     }
 }
@@ -88,7 +91,7 @@ impl fmt::Display for Measure {
 impl fmt::Display for Until {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.measure {
-            Measure::Contact => self.measure.fmt(f),
+            measure if measure.is_contact() => measure.fmt(f),
             measure => write!(f, "{measure} = {}", self.target),
         }
     }
@@ -103,7 +106,8 @@ impl Until {
     pub fn parse(text: &str, scene: &Scene) -> Result<Self, UntilError> {
         let form = || UntilError::Form(text.to_owned());
         let until = if text.trim() == "contact" {
-            Self { measure: Measure::Contact, target: 0.0 }
+            let on_ground = scene.foundation().is_some();
+            Self { measure: if on_ground { Measure::Contact } else { Measure::Bearings }, target: 0.0 }
         } else {
             let (measure, number) = text.split_once('=').ok_or_else(form)?;
             let measure = Measure::parse(measure.trim()).ok_or_else(form)?;
@@ -156,6 +160,12 @@ impl Measure {
         }
     }
 
+    /// Whether it is where contact begins or ends.
+    #[must_use]
+    pub fn is_contact(self) -> bool {
+        matches!(self, Self::Contact | Self::Bearings)
+    }
+
     /// Whether the beam of a scene has it.
     fn fits(self, scene: &Scene) -> Result<(), UntilError> {
         let (length, supports) = (scene.beam().length(), scene.beam().all_supports());
@@ -170,13 +180,15 @@ impl Measure {
                 Err(UntilError::Support { measure: self, count: supports.len() })
             }
             Self::Clearance(x) if scene.foundation().is_none() && !bearing(x) => Err(UntilError::NoFoundation(self)),
-            Self::Contact if scene.foundation().is_none() => Err(UntilError::NoFoundation(self)),
+            Self::Bearings if supports.iter().all(|support| !support.pushes_only) => {
+                Err(UntilError::NoFoundation(self))
+            }
             _ => Ok(()),
         }
     }
 
-    /// What it is in an answer of a beam of this length, if that is a number.
-    pub(super) fn of(self, exact: &Exact, length: f64) -> Option<Measured> {
+    /// What it is in an answer of this beam, if that is a number.
+    pub(super) fn of(self, exact: &Exact, beam: &Beam) -> Option<Measured> {
         let state = &exact.state;
         let deflection = state.deflection.max.abs().max(state.deflection.min.abs());
         let forces = state.supports.iter().map(|support| support.force.abs());
@@ -187,8 +199,21 @@ impl Measure {
             Self::Shear(x) => (exact.shear(x)[1], force),
             Self::Clearance(x) => (exact.clearance(x), deflection),
             Self::Support(index) => (state.supports.get(index)?.force, force),
-            Self::Contact if state.contacts.is_empty() => (-exact.clearance_extremes(0.0, length).min, deflection),
+            Self::Contact if state.contacts.is_empty() => {
+                (-exact.clearance_extremes(0.0, beam.length()).min, deflection)
+            }
             Self::Contact => (state.contact_force(), force),
+            Self::Bearings => {
+                let shape = |x: f64| beam.shape().map_or(0.0, |shape| shape.depth(x));
+                let all = beam.all_supports().into_iter().zip(&state.supports);
+                let bearings: Vec<_> = all.filter(|(support, _)| support.pushes_only).collect();
+                let lifted = bearings.iter().filter(|(_, found)| found.force <= 0.0);
+                let clearance = lifted.map(|(of, _)| of.level - shape(of.at) - exact.deflection(of.at));
+                match clearance.max_by(f64::total_cmp) {
+                    Some(most) => (0.0 - most, deflection),
+                    None => (bearings.iter().map(|(_, found)| found.force).fold(f64::INFINITY, f64::min), force),
+                }
+            }
         };
         number.is_finite().then_some(Measured { number, size })
     }

@@ -16,7 +16,7 @@ pub(super) fn steady(text: &str) -> String {
         let timed = |&(at, word): &(usize, &str)| (word == "seconds" && 2 < words.len()).then_some(at + word.len());
         let of_header: Vec<usize> = words.iter().filter_map(timed).collect();
         let is_time = line.starts_with("  seconds ") || line.contains("\"seconds\":");
-        let is_rest = ["what remains", "\"residual\":", "\"gap\":"].iter().any(|name| line.contains(name));
+        let is_rest = ["equilibrium residual", "\"residual\":", "\"gap\":"].iter().any(|name| line.contains(name));
         let library = [" clarabel ", " osqp "].iter().any(|name| line.contains(name)) && !columns.is_empty();
         lines += &numbers(line, |end, number| {
             let value: f64 = number.parse().unwrap_or(f64::NAN);

@@ -67,7 +67,7 @@ fn the_readme_shows_what_is_printed() {
     let mut shown = 0;
     for (block, _) in blocks {
         let Some((command, excerpt)) = block.split_once('\n') else { continue };
-        let Some(arguments) = command.strip_prefix("$ cargo run -- ") else { continue };
+        let Some(arguments) = command.strip_prefix("$ palkki ") else { continue };
         let output = Command::new(env!("CARGO_BIN_EXE_palkki"))
             .args(arguments.split_whitespace())
             .current_dir(root())

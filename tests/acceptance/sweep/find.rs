@@ -149,3 +149,20 @@ fn a_target_that_stays_reached_is_a_stretch_of_values() {
         "the load that comes nearest",
     );
 }
+
+/// A stop under the middle of a simple beam is reached when `5 q l⁴/(384 EI)` is its play. The first of three bearings with the spacing `s`
+/// is lost when a force in the middle of the second span is `4 q s`: `3 q s/8 = 3 P/32`.
+#[test]
+fn contact_with_bearings_begins_and_ends_where_the_closed_form_has_it() {
+    let stop = Support { pushes_only: true, ..Support::simple(0.5 * L).at_level(0.02) };
+    for stop in [stop, Support { stiffness: Some(700.0), ..stop }] {
+        let supports = [Support::simple(0.0), stop, Support::simple(L)];
+        let found = crossed(&beam(&supports, 1.0, &[]), "load.uniform", [0.01, 1.0], "contact");
+        near(&found, &[384.0 * EI * 0.02 / (5.0 * L.powi(4))], "load that closes the play");
+    }
+    let supports = [Support::pushing(0.0), Support::simple(5.0), Support::simple(10.0)];
+    let found = crossed(&beam(&supports, 1.0, &[(7.5, 1.0)]), "load.point[0].force", [1.0, 50.0], "contact");
+    near(&found, &[20.0], "force that lifts the beam off its bearing");
+    let neither = Until::parse("contact", &beam(&ends(L), 1.0, &[])).expect_err("nothing to touch").to_string();
+    assert!(neither.contains("a foundation or a support with `pushes_only`"), "{neither}");
+}

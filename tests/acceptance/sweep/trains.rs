@@ -1,12 +1,15 @@
 //! Trains that come onto the beam and leave it, influence lines, and what goes with the governing value.
 
+use std::ops::ControlFlow;
+
+use palkki::scene::file::{Beside, Model, ReadProblem, parse, parse_train};
 use palkki::scene::{Foundation, Scene, Support};
 use palkki::sweep::{AtPlace, Sweep};
 use palkki::theory;
 use palkki_evidence::random::Random;
 
 use super::envelope::gathered;
-use crate::scenes::on_supports;
+use crate::scenes::{ends, on_supports};
 
 /// What each row has at a place.
 fn at(sweep: &Sweep<'_>, x: f64) -> Vec<(f64, AtPlace)> {
@@ -146,4 +149,41 @@ fn supports_that_move_towards_each_other_leave_a_symmetric_beam() {
     let value = random.between(0.0, 3.0);
     let moved = sweep.scene(value).expect("a scene");
     assert!((moved.beam().supports()[1].at - (9.0 - (value - 1.0))).abs() < 1e-12);
+}
+
+/// A train that is longer than its bridge is read with axles beyond it. Each row has those that are on the bridge, and no other command reads it.
+#[test]
+fn a_train_may_be_longer_than_its_bridge() {
+    let axles = [(0.0, 100.0), (-2.0, 110.0), (-37.0, 120.0), (-39.0, 130.0)];
+    let point = axles.map(|(at, force)| format!("{{ at = {at}, force = {force} }}")).join(", ");
+    let still = ", { at = 40.0, force = 1000.0 }";
+    let beam = "[beam]\nlength = 30.0\nbending_stiffness = 5000.0\n";
+    let text = format!("{beam}[load]\nuniform = 1.0\npoint = [{point}{still}]\n");
+    let refused = parse("train", &text, |_| Err(ReadProblem::Missing)).expect_err("an axle beyond the beam");
+    assert!(refused.to_string().contains("must lie on the beam, between 0 and 30"), "{refused}");
+    let Ok(Model::Scene(scene)) = parse_train("train", &text, &mut NoFiles) else { panic!("a scene") };
+    assert_eq!(scene.loads_beyond().collect::<Vec<_>>(), [1, 2, 3, 4]);
+    let path = "load.point[0].at,load.point[1].at,load.point[2].at,load.point[3].at";
+    let sweep = Sweep::new(&scene, path, [-5.0, 75.0], 33).expect("a sweep");
+    for row in sweep.rows().expect("answers") {
+        let on = axles.map(|(at, force)| (at + row.value, force)).into_iter();
+        let on: Vec<(f64, f64)> = on.filter(|(at, _)| (0.0..=30.0).contains(at)).collect();
+        let state =
+            theory::solve(&on_supports([30.0, 5000.0], &ends(30.0), (1.0, &on), None)).expect("an answer").state;
+        let near = |a: f64, b: f64| assert!((a - b).abs() <= 1e-12 * state.moment.max, "{}: {a} {b}", row.value);
+        near(row.solution.state.moment.max, state.moment.max);
+        near(row.solution.state.reactions.left, state.reactions.left);
+    }
+}
+
+struct NoFiles;
+
+impl Beside for NoFiles {
+    fn text(&mut self, _: &str) -> Result<String, ReadProblem> {
+        Err(ReadProblem::Missing)
+    }
+
+    fn lines(&mut self, _: &str, _: &mut dyn FnMut(&str) -> ControlFlow<()>) -> Result<(), ReadProblem> {
+        Err(ReadProblem::Missing)
+    }
 }

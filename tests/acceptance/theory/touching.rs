@@ -7,6 +7,8 @@ use palkki::state::ContactState;
 use palkki::sweep::Sweep;
 use palkki_evidence::random::{Random, sample_of};
 
+use crate::scenes;
+
 /// A beam without weight, with forces at places, on supports and above ground.
 fn scene(length: f64, supports: &[Support], forces: &[[f64; 2]], ground: Option<Foundation>) -> Scene {
     let beam = Beam::new(length, 1.0).and_then(|beam| beam.with_supports(supports.to_vec())).expect("a beam");
@@ -144,7 +146,7 @@ fn free_spans_lie_between_the_contacts() {
     let scene = Scene::new(beam, uniform, Some(Foundation::Flat { depth })).expect("a scene");
     let a = (24.0 * stiffness * depth / load).powf(0.25);
     let exact = palkki::theory::solve(&scene).expect("an answer");
-    let spans = exact.free_spans(length);
+    let spans = exact.free_spans(scene.beam());
     let [left, right] = spans[..] else { panic!("{spans:?}") };
     for (span, [from, to], support) in [(left, [0.0, a], 0.0), (right, [length - a, length], length)] {
         let clearance = span.clearance.expect("there is ground");
@@ -154,11 +156,29 @@ fn free_spans_lie_between_the_contacts() {
     }
     for scene in [scene.with_ground_moved(30.0), scene.on_springs(100.0)].map(|scene| scene.expect("a scene")) {
         let exact = palkki::theory::solve(&scene).expect("an answer");
-        let spans = exact.free_spans(length);
+        let spans = exact.free_spans(scene.beam());
         let [left, right] = spans[..] else { panic!("{spans:?}") };
         let contact = exact.state.contacts[0];
         assert!(near(left.to, contact.from) && near(right.from, contact.to), "{spans:?}");
         let sampled = (0..=1000).map(|k| exact.moment(left.to * f64::from(k) / 1000.0)).fold(0.0, f64::max);
         assert!((left.moment.max - sampled).abs() <= 1e-5 * sampled && sampled <= left.moment.max + 1e-12, "{spans:?}");
     }
+}
+
+/// Where the clearance is largest, position and clearance are the depth of the ground: of one of its sides at a step.
+#[test]
+fn the_position_of_a_free_span_is_that_of_its_largest_clearance() {
+    let mut count = 0;
+    for (name, scene) in ["held", "soft", "practice"].into_iter().flat_map(scenes::in_folder) {
+        let Some(foundation) = scene.foundation() else { continue };
+        let exact = palkki::theory::solve(&scene).expect("an answer");
+        let scale = exact.state.deflection.max.abs().max(exact.state.deflection.min.abs());
+        for span in exact.free_spans(scene.beam()) {
+            let (clearance, position) = span.clearance.zip(span.position).expect("there is ground");
+            let off = foundation.sides(clearance.max_at).map(|[depth, _]| (position + clearance.max - depth).abs());
+            assert!(off[0].min(off[1]) <= 1e-11 * scale, "{name}: {span:?} {off:?}");
+            count += usize::from(scene.beam().shape().is_some());
+        }
+    }
+    assert!(4 <= count, "{count} spans of beams with an own shape");
 }

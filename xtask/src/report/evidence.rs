@@ -29,6 +29,7 @@ mod stiff;
 mod sweeps;
 mod taught;
 mod teaching;
+mod trains;
 mod verdict_map;
 pub(super) mod words;
 
@@ -93,6 +94,7 @@ const SUBJECTS: &[Subject] = &[
     ("holds", holds::evidence),
     ("scene_file", scene_file::evidence),
     ("sweeps", sweeps::evidence),
+    ("trains", trains::evidence),
     ("stiff", stiff::evidence),
     ("point_force", point_force::evidence),
     ("claims", paper::claims::evidence),

@@ -2,14 +2,12 @@
 
 // Discrepancy: lost-figures
 //
-// The surviving text names Figures 2a, 2b, 4, 5c, 6, 7 and 8, of which 4, 7 and 8 have results. All drawings are lost, and so are the
-// captions of Figures 7 and 8. Figures 7 and 8 show results on 30 intervals with beam theory dashed: we draw the contact pressure in
-// Figure 7 and the deflection in Figure 8.
+// All drawings are lost, and so are the captions of Figures 7 and 8, which show results on 30 intervals with beam theory dashed. We draw
+// the contact forces in Figure 7 and the deflection in Figure 8.
 
 // Discrepancy: figure-4-intervals
 //
-// The label of Figure 4 has n = 30; the text gives n = 29 for 30 intervals. So n of Figure 4 counts intervals, or the interior nodes
-// of 31 intervals. We use 30 intervals, as in Figures 7 and 8.
+// The label of Figure 4 has n = 30, the text n = 29 for 30 intervals. We use 30 intervals, as in Figures 7 and 8.
 
 use super::{INTERVALS, example, theory};
 use crate::closed::FlatSolution;

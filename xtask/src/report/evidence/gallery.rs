@@ -5,7 +5,7 @@ use palkki::text::markdown_text;
 use palkki::theory::Exact;
 use palkki::verdict::{Demand, Verdict};
 
-use super::closed::closed;
+use super::closed::checked;
 use super::prelude::*;
 use crate::report::files;
 
@@ -78,7 +78,10 @@ pub(super) fn shown(study: &Study<'_>, directory: &str, prefix: &str) -> Result<
         let head = text.lines().take_while(|line| line.starts_with('#'));
         let story = head.map(|line| line.trim_start_matches('#').trim()).collect::<Vec<_>>().join(" ");
         let certified = verdict.status == Status::Certified;
-        let formula = closed(&scene).map(|(formula, _)| formula);
+        let formula = checked(&name, &scene, &exact)?;
+        // Beside the scene.
+        let readings = text.split('"').find(|word| word.ends_with(".csv"));
+        let readings = readings.map(|name| format!("{directory}/{name}").replacen("report/", "", 1));
         let svg = palkki::plot::curves(&scene, &curves, "grid-free solution")?;
         let figure = format!("{prefix}-{name}");
         let file = if folder.is_empty() { name.clone() } else { format!("{folder}/{name}") };
@@ -86,7 +89,7 @@ pub(super) fn shown(study: &Study<'_>, directory: &str, prefix: &str) -> Result<
         Ok(Shown {
             within: within.unwrap_or_else(|| "–".to_owned()),
             certified,
-            card: context! { name => name.as_str(), title, story, certified, formula, file, page, figure => figure.as_str() },
+            card: context! { name => name.as_str(), title, story, certified, formula, readings, file, page, figure => figure.as_str() },
             figure: (figure, svg, table(&curves)),
             curves,
             exact,

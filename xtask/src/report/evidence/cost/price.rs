@@ -131,3 +131,29 @@ fn panels(fronts: &[[Vec<&Line>; 5]; 2], exact: [Option<f64>; 2]) -> Vec<Panel> 
     });
     panels.collect()
 }
+
+/// What the front page says of the cost of a solve.
+#[cfg(test)]
+fn sentence(store: &Store) -> Option<String> {
+    let of = |scene: &str| Some(significant(certified(&ended(store, scene))?, 2));
+    let [example, waves] = [of(GROUNDS[0].0)?, of(GROUNDS[1].0)?];
+    Some(format!(
+        "**Cost.** A solve with its bounds takes {example} ms for the paper's example and {waves} ms for a beam on waves, the median on one machine."
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+
+    #[test]
+    fn the_front_page_has_the_cost_of_a_solve() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+        let (_, store) = Store::read(&root).expect("the measurements can be read");
+        let sentence = sentence(&store).expect("both scenes are measured");
+        let readme = std::fs::read_to_string(root.join("README.md")).expect("the README can be read");
+        assert!(readme.lines().any(|line| line == sentence), "README.md lacks the line\n{sentence}");
+    }
+}

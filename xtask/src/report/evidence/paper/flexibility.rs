@@ -2,9 +2,8 @@
 
 // Discrepancy: figures-5c-and-6
 //
-// The drawings of Figures 5c and 6 are lost. By the text the flexibility matrix belongs to the forces of the first, and the second
-// shows the meaning of an entry. We draw the nodal forces t = q − p of the example with the deflection C t, and the beam under a unit
-// force at a node.
+// By the text the flexibility matrix belongs to the forces of Figure 5c, and Figure 6 shows the meaning of an entry. We draw the nodal
+// forces t = q − p with the deflection C t, and the beam under a unit force at a node.
 
 use palkki::methods::Discrete;
 use palkki::plot::{Arrow, Arrows, Axis, Color, Dash, Layer, LoadSketch, Marker, Panel, Place, Style, significant};
