@@ -152,12 +152,12 @@ pub(super) mod tests {
     use crate::scene::{Beam, Foundation, Load};
 
     /// Multiples of the golden section are spread evenly between 0 and 1.
-    pub(in crate::multigrid) fn spread(k: u32) -> f64 {
+    pub(in crate::grid::multigrid) fn spread(k: u32) -> f64 {
         (0.618_034 * f64::from(k)).fract()
     }
 
     /// A beam above waves of many lengths and amplitudes, and above polylines through twelve uneven depths.
-    pub(in crate::multigrid) fn scenes() -> impl Iterator<Item = Scene> {
+    pub(in crate::grid::multigrid) fn scenes() -> impl Iterator<Item = Scene> {
         let beam = Beam::new(10.0, 500.0 / 384.0).expect("a beam");
         let load = Load::uniform_on(&beam, 1.0).expect("a load");
         let wave = move |k: u32| Foundation::Cosine {

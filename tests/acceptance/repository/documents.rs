@@ -33,7 +33,7 @@ fn the_map_is_the_territory() {
     }
 
     for path in rust_files("src").keys().chain(rust_files("tests").keys()) {
-        // `src/scene/beam.rs` is in the part `src/scene`, `src/solve.rs` is a part of its own.
+        // `src/scene/beam.rs` is in the part `src/scene`, `src/lib.rs` is a part of its own.
         let part: Vec<&str> = path.split('/').take(2).collect();
         let part = part.join("/");
         assert!(spans.contains(&part.as_str()), "ARCHITECTURE.md does not name {part}");
