@@ -154,17 +154,24 @@ impl Proof {
     ///
     /// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled.
     pub fn of_stretches(scene: &Scene, witness: &[Stretch]) -> Result<Self, SceneError> {
-        Self::of_stretches_on(scene, witness, &[])
+        Self::of_stretches_on(scene, witness, &[], &[])
     }
 
-    /// The same with the forces of the supports that give, from left to right, and by how much each makes the moment jump.
-    pub(crate) fn of_stretches_on(scene: &Scene, witness: &[Stretch], on: &[[f64; 2]]) -> Result<Self, SceneError> {
+    /// The same with the forces of the supports that give, from left to right, and by how much each makes the moment jump, and under an axial
+    /// force with the deflection of what hangs.
+    pub(crate) fn of_stretches_on(
+        scene: &Scene,
+        witness: &[Stretch],
+        on: &[[f64; 2]],
+        hung: &[Hung],
+    ) -> Result<Self, SceneError> {
         let scaled = scene.scaled()?;
         let held = bearings::held(&scaled.scene, witness)?;
         let units = [scaled.scale.force, scaled.scale.moment()];
         let said = |i: usize| (false, on.get(i).map_or([0.0; 2], |on| [on[0] / units[0], on[1] / units[1]]));
         let said: Vec<_> = (0..held.beam().springs().len()).map(said).collect();
         let proven = with_springs(&held, scaled.balance, &said, |enclosed| {
+            let enclosed = &EnclosedScene { hung, ..*enclosed };
             let cut = stretches::cut(enclosed, witness);
             let (pair, known) = of_pair(enclosed, &scaled, kernel::springs::pair(enclosed, &cut));
             let known = bearings::of_scene(&scaled.scene, enclosed, &pair.as_ref()?.0, &known)?;

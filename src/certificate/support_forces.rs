@@ -21,7 +21,7 @@
 //! same way; where the beam is clear of it, it is zero.
 
 use super::beside::{bends_away, lies_beside, lies_idle, opens};
-use super::kernel::contact_node::EnclosedScene;
+use super::kernel::contact_node::{EnclosedScene, EnclosedSupport};
 use super::kernel::distance::{self, factor, lines, on_part};
 use super::kernel::foundation::inside;
 use super::kernel::giving::SaidSpring;
@@ -65,7 +65,7 @@ pub(super) fn forces(
 /// |R − R*| ≤ √( 2 gap ∫ (EI φ''² + k φ²) dx ),    φ = 1 − 3t² + 2t³ for t = s/w:    12 EI/w³ + 13 k w/35 on each side
 /// ```
 ///
-/// with the greatest `EI` and `k`, for the forces of the pair, least where `w⁴ = 36·35 EI / 13 k`. Where statics alone give the forces of the supports, `φ` is a line, with
+/// (under an axial force twice that, and `pulled`) with the greatest `EI` and `k`, for the forces of the pair, least where `w⁴ = 36·35 EI / 13 k`. Where statics alone give the forces of the supports, `φ` is a line, with
 /// `∫ k φ² dx` alone, which is less on soft ground. `R` is one of the reactions of the pair, which enclose what is cut off: each
 /// support takes no more than the share that is added on both sides.
 fn on_springs(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Interval> {
@@ -82,12 +82,27 @@ fn on_springs(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Interval> {
         let end = Interval::length(x, enclosed.length).lo();
         let after = all.get(i + 1).map_or(end, |next| Interval::length(x, *next).lo());
         // At an end of the beam there is one side.
-        let sides = [before, after].into_iter().filter(|room| 0.0 < *room).map(|room| side(room.min(widest)));
-        let bent = sides.fold(Interval::ZERO, |sum, side| sum + side);
+        let widths = [before, after].map(|room| room.min(widest)).into_iter().filter(|width| 0.0 < *width);
+        let bent = widths.clone().map(side).fold(Interval::ZERO, |sum, side| sum + side);
+        if enclosed.tension != 0.0 {
+            let root = (number(2) * Interval::exact(pair.gap) * bent).sqrt() * number(2);
+            return force + Interval::around_zero((root + pulled(enclosed, pair, widths)).hi());
+        }
         let size = straight(enclosed, i).map(|square| k * square).filter(|size| size.hi() < bent.hi()).unwrap_or(bent);
         force + Interval::around_zero((number(2) * Interval::exact(pair.gap) * size).sqrt().hi())
     };
     supports_of(enclosed, pair).into_iter().enumerate().map(bracket).collect()
+}
+
+/// By how much `∫ N w' φ' dx` is off, `w = v̂ − v*`: with `N ∫ w'² ≤ 2 gap` and `∫ φ'² = 6/5w` on each side under tension, with `∫ |φ''| = 3/w` under
+/// compression.
+fn pulled(enclosed: &EnclosedScene<'_>, pair: &Pair, widths: impl Iterator<Item = f64>) -> Interval {
+    let sides = widths.fold(Interval::ZERO, |sum, width| sum + number(1) / Interval::exact(width));
+    let force = Interval::exact(enclosed.tension.abs());
+    if 0.0 < enclosed.tension {
+        return (number(12) * Interval::exact(pair.gap) * force * sides / number(5)).sqrt();
+    }
+    number(3) * force * sides * Interval::exact(distance::anywhere(pair, enclosed.stiffness, enclosed.length))
 }
 
 /// The forces of all supports in the pair; those that only push and that it does not touch exert none.
@@ -161,7 +176,8 @@ fn by_statics(scene: &Scene, load: &Load, enclosed: &EnclosedScene<'_>, pair: &P
         Interval::ZERO
     } else {
         let levels = [(a, 0.0), (b, enclosed.length)].map(|(x, end)| {
-            let held = enclosed.support(x).filter(|_| x.total_cmp(&end).is_eq());
+            let is_firm = |support: &&EnclosedSupport| x.total_cmp(&end).is_eq() && support.gives.is_none();
+            let held = enclosed.support(x).filter(is_firm);
             held.map(|support| support.deflection)
         });
         Interval::exact(enclosed.tension) * (levels[1]? - levels[0]?) / apart
