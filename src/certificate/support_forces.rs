@@ -20,9 +20,12 @@
 //! A support that only pushes is a point of the ground. Where the beam is clear of the ground beside it, its force follows in the
 //! same way; where the beam is clear of it, it is zero.
 
+mod axial;
+
+use self::axial::{pulled, under_axial_force};
 use super::beside::{bends_away, lies_beside, lies_idle, opens};
 use super::kernel::contact_node::{EnclosedScene, EnclosedSupport};
-use super::kernel::distance::{self, factor, lines, on_part};
+use super::kernel::distance::{factor, lines, on_part};
 use super::kernel::foundation::inside;
 use super::kernel::giving::SaidSpring;
 use super::kernel::interval::Interval;
@@ -92,17 +95,6 @@ fn on_springs(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Interval> {
         force + Interval::around_zero((number(2) * Interval::exact(pair.gap) * size).sqrt().hi())
     };
     supports_of(enclosed, pair).into_iter().enumerate().map(bracket).collect()
-}
-
-/// By how much `∫ N w' φ' dx` is off, `w = v̂ − v*`: with `N ∫ w'² ≤ 2 gap` and `∫ φ'² = 6/5w` on each side under tension, with `∫ |φ''| = 3/w` under
-/// compression.
-fn pulled(enclosed: &EnclosedScene<'_>, pair: &Pair, widths: impl Iterator<Item = f64>) -> Interval {
-    let sides = widths.fold(Interval::ZERO, |sum, width| sum + number(1) / Interval::exact(width));
-    let force = Interval::exact(enclosed.tension.abs());
-    if 0.0 < enclosed.tension {
-        return (number(12) * Interval::exact(pair.gap) * force * sides / number(5)).sqrt();
-    }
-    number(3) * force * sides * Interval::exact(distance::anywhere(pair, enclosed.stiffness, enclosed.length))
 }
 
 /// The forces of all supports in the pair; those that only push and that it does not touch exert none.
@@ -257,24 +249,6 @@ fn own_bracket(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, force: Interva
     let [k, _] = gives.spring?;
     let bracket = force + Interval::around_zero((number(2) * Interval::exact(pair.gap) * k).sqrt().hi());
     Some(if gives.pushes { bracket.positive_part() } else { bracket })
-}
-
-/// At least `κ²` of a beam under an axial force, whose vertical forces differ by `κ = m' + N w'`, `w = v̂ − v*`, up to the distance `c`. The
-/// moments of the pair are in balance with the loads and `N v̂''`, so that they are `ρ` off `−EI v̂''`, and with `φ = 6 s (c − s)/c³`
-///
-/// ```text
-/// κ = ∫ κ φ dx = −∫ m φ' dx + ∫ N w' φ dx,    ‖m‖ ≤ ρ + ‖w‖ ≤ 2 √(2 gap)
-/// |κ| ≤ √(2 gap) (2 √(12 EI/c³) + √(6 N/5 c)),      under compression with max |w| (∫ |φ'| dx = 3/c) in the last term: 3 |N| max |w|/c
-/// ```
-fn under_axial_force(enclosed: &EnclosedScene<'_>, pair: &Pair, c: Interval) -> Interval {
-    let (root, force) = ((number(2) * Interval::exact(pair.gap)).sqrt(), Interval::exact(enclosed.tension.abs()));
-    let bent = number(2) * root * (number(12) * Interval::exact(enclosed.stiffest) / (c * c * c)).sqrt();
-    let pulled = if 0.0 < enclosed.tension {
-        root * (number(6) * force / (number(5) * c)).sqrt()
-    } else {
-        number(3) * force * Interval::exact(distance::anywhere(pair, enclosed.stiffness, enclosed.length)) / c
-    };
-    (bent + pulled).square()
 }
 
 /// Whether the beam is proven to be clear of the support that only pushes at a place.

@@ -251,8 +251,9 @@ impl OnSprings<'_> {
         if let Some(walked) = self.sheared[node] {
             return walked;
         }
-        let hanging =
-            |i: usize| spans.get(i)?.as_ref().map(|span| span.shears(self.enclosed.tension, [moments[i][1], moments[i + 1][0]]));
+        let hanging = |i: usize| {
+            spans.get(i)?.as_ref().map(|span| span.shears(self.enclosed.tension, [moments[i][1], moments[i + 1][0]]))
+        };
         let (load, is_free) = (self.enclosed.load.point(self.x(node)), self.enclosed.support(self.x(node)).is_none());
         let [before, behind] = [node.checked_sub(1).and_then(hanging).map(|v| v[1]), hanging(node).map(|v| v[0])];
         let [left, right] = [true, false].map(|left| self.said(node, left, 3).unwrap_or(Interval::ZERO));

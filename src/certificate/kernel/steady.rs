@@ -25,8 +25,10 @@ use super::interval::Interval;
 use super::polynomial::number;
 use crate::scene::Support;
 
-/// `|N'| ℓ²/EI` of a part at most, and terms of each series: what is left out is less than twice the next one.
+/// `|N'| ℓ²/EI` of a part at most, so that few terms are enough.
 const MOST: f64 = 0.64;
+
+/// Terms of each series: what is left out is less than twice the next one, which is below `10⁻¹⁸`.
 const TERMS: usize = 9;
 
 /// `n`, `c`, `w`, `ω` and `c² − n ω` of a part of the beam.

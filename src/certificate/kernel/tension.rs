@@ -90,7 +90,8 @@ impl Taut {
         let bound = |place: &Datum| {
             let far = (b - place.from).max(place.to - a).max(0.0);
             let soft = place.soft[0];
-            let lever = if soft <= 0.0 { self.lever * far.sqrt() } else { (self.lever * self.lever * far + soft).sqrt() };
+            let lever =
+                if soft <= 0.0 { self.lever * far.sqrt() } else { (self.lever * self.lever * far + soft).sqrt() };
             (factor * lever + place.uncertainty) * OUTWARDS
         };
         self.places.iter().map(bound).fold(f64::INFINITY, f64::min)

@@ -31,8 +31,8 @@
 //! the next support and before the next end: there `w ≤ b/4` in every bay.
 
 use crate::certificate::kernel::contact_node::EnclosedScene;
-use crate::certificate::kernel::interval::Interval;
 use crate::certificate::kernel::distance;
+use crate::certificate::kernel::interval::Interval;
 use crate::certificate::kernel::polynomial::number;
 use crate::certificate::kernel::proof::{Pair, Sprung};
 use crate::certificate::largest::extremes;

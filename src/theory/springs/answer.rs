@@ -272,6 +272,7 @@ fn giving(given: &PiecewiseScene, parts: &[Part], spring: &AtSpring, stiffness: 
     }
     let ([left, right], v) = (beside(parts, at.x), part_at(parts, at.x, false).beam(at.x)[0]);
     let size = left[3].abs() + right[3].abs() + at.force.abs();
+    let size = if given.tension == 0.0 { size } else { size + given.tension.abs() * left[1].abs().max(right[1].abs()) };
     let force = exerted(k, [v, level], force(given, parts, breakpoint), [v.abs(), size]);
     SupportForce {
         at: at.x,

@@ -40,8 +40,13 @@ impl Beam<'_> {
             let is_held = |end: f64| given.breakpoint_at(end).is_some_and(holds);
             // Under an axial force what hangs over is no statics.
             let is_slack = given.tension == 0.0;
-            let left = if is_slack && from <= 0.0 && !is_held(0.0) { supports.first().copied().unwrap_or(to) } else { from };
-            let right = if is_slack && given.length <= to && !is_held(to) { supports.last().copied().unwrap_or(from) } else { to };
+            let left =
+                if is_slack && from <= 0.0 && !is_held(0.0) { supports.first().copied().unwrap_or(to) } else { from };
+            let right = if is_slack && given.length <= to && !is_held(to) {
+                supports.last().copied().unwrap_or(from)
+            } else {
+                to
+            };
             let changes = given.divisions_between(left, right).iter().map(|&i| x(i));
             inside.extend(changes.filter(|change| !supports.contains(change)));
             inside.sort_by(f64::total_cmp);

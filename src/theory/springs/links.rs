@@ -21,9 +21,9 @@
 //!
 //! In a joint of the flexibility `w_j` the slope `h'` grows by `w_j M`; in a hinge `M = 0`. Under an axial force more is in `pulled`.
 
+use super::pulled::following_under_tension;
 use crate::theory::piece::derivatives;
 use crate::theory::piecewise::{AtSpring, AtSupport, Cell, PiecewiseScene};
-use super::pulled::following_under_tension;
 use crate::theory::span::{End, EndCondition, fixed_end_of_load};
 
 /// Coefficients of a pressed polynomial over so many decay lengths `1/λ` at most: the next ones are less than `4ʳ ℓ⁴ʳ/(4r)! < 10⁻²⁰` of it.
@@ -126,7 +126,8 @@ impl Beam<'_> {
         if self.given.tension == 0.0 {
             return [force, couple];
         }
-        let slope = |i: Option<usize>, side: usize| i.and_then(|i| self.links.get(i)).map_or(0.0, |of| of.base[side][1]);
+        let slope =
+            |i: Option<usize>, side: usize| i.and_then(|i| self.links.get(i)).map_or(0.0, |of| of.base[side][1]);
         [force - self.given.tension * (slope(Some(i), 0) - slope(i.checked_sub(1), 1)), couple]
     }
 
