@@ -157,11 +157,8 @@ impl Proof {
     }
 
     /// The same with what is said of supports that give, and under an axial force of the deflection of what hangs, as for `of_held`.
-    pub(crate) fn of_stretches_on(
-        scene: &Scene,
-        witness: &[Stretch],
-        (on, hung): Said<'_>,
-    ) -> Result<Self, SceneError> {
+    pub(crate) fn of_stretches_on(scene: &Scene, witness: &[Stretch], of: Said<'_>) -> Result<Self, SceneError> {
+        let (on, hung) = of;
         let scaled = scene.scaled()?;
         let held = bearings::held(&scaled.scene, witness)?;
         let units = [scaled.scale.force, scaled.scale.moment()];
