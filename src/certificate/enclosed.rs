@@ -5,8 +5,12 @@ use super::kernel::foundation::EnclosedFoundation;
 use super::kernel::gap::EnclosedGap;
 use super::kernel::giving::{Giving, SaidSpring};
 use super::kernel::interval::Interval;
+use super::kernel::tension::Hung;
 use super::standing;
 use crate::scene::{Balance, Foundation, Scaled, Scene, SceneError, Support};
+
+/// Forces and couples of supports that give, and what is given of the deflection between contacts.
+pub(super) type Said<'a> = (&'a [[f64; 2]], &'a [Hung]);
 
 /// The result of `act` on a scene that is made dimensionless and enclosed in intervals.
 pub(super) fn enclosed<R>(scene: &Scene, act: impl FnOnce(&EnclosedScene<'_>, &Scaled) -> R) -> Result<R, SceneError> {
@@ -16,15 +20,15 @@ pub(super) fn enclosed<R>(scene: &Scene, act: impl FnOnce(&EnclosedScene<'_>, &S
 
 /// The result of `act` on a scene that is enclosed in intervals as it is, without supports that give.
 pub(super) fn in_intervals<R>(scene: &Scene, balance: Balance, act: impl FnOnce(&EnclosedScene<'_>) -> R) -> R {
-    with_springs(scene, balance, &[], act)
+    with_springs(scene, balance, (&[], &[]), act)
 }
 
 /// The same with its supports that give, of each of which is said whether the beam touches the ground just there, its force, and by how
-/// much it makes the moment jump.
+/// much it makes the moment jump; and with what is given of the deflection between contacts under an axial force.
 pub(super) fn with_springs<R>(
     scene: &Scene,
     balance: Balance,
-    springs: &[(bool, [f64; 2])],
+    (springs, hung): (&[(bool, [f64; 2])], &[Hung]),
     act: impl FnOnce(&EnclosedScene<'_>) -> R,
 ) -> R {
     /// Where there is no foundation it is out of reach.
@@ -84,6 +88,6 @@ pub(super) fn with_springs<R>(
         joints: &joints,
         said: &said,
         tension: beam.tension(),
-        hung: &[],
+        hung,
     })
 }

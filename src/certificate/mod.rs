@@ -67,7 +67,7 @@ pub use quantities::stiffness;
 pub use stretches::Stretch;
 pub use violations::{Violation, ViolationKind, violations, violations_at_nodes};
 
-use self::enclosed::{enclosed, in_intervals, with_springs};
+use self::enclosed::{Said, enclosed, in_intervals, with_springs};
 use self::kernel::contact_node::EnclosedScene;
 use self::kernel::distance::{self, Error};
 use self::kernel::held::hold_by_zones;
@@ -140,8 +140,7 @@ impl Proof {
             (touches || near, [pushed, turned / scaled.scale.moment()])
         });
         let said: Vec<_> = said.collect();
-        let (pair, known) = with_springs(&scaled.scene, scaled.balance, &said, |enclosed| {
-            let enclosed = &EnclosedScene { hung, ..*enclosed };
+        let (pair, known) = with_springs(&scaled.scene, scaled.balance, (&said, hung), |enclosed| {
             of_pair(enclosed, &scaled, best_pair(enclosed, witness, held, &scaled.scale))
         });
         Ok(Self { scaled, pair, known })
@@ -154,17 +153,18 @@ impl Proof {
     ///
     /// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled.
     pub fn of_stretches(scene: &Scene, witness: &[Stretch]) -> Result<Self, SceneError> {
-        Self::of_stretches_on(scene, witness, &[])
+        Self::of_stretches_on(scene, witness, (&[], &[]))
     }
 
-    /// The same with the forces of the supports that give, from left to right, and by how much each makes the moment jump.
-    pub(crate) fn of_stretches_on(scene: &Scene, witness: &[Stretch], on: &[[f64; 2]]) -> Result<Self, SceneError> {
+    /// The same with what is said of supports that give, and under an axial force of the deflection of what hangs, as for `of_held`.
+    pub(crate) fn of_stretches_on(scene: &Scene, witness: &[Stretch], of: Said<'_>) -> Result<Self, SceneError> {
+        let (on, hung) = of;
         let scaled = scene.scaled()?;
         let held = bearings::held(&scaled.scene, witness)?;
         let units = [scaled.scale.force, scaled.scale.moment()];
         let said = |i: usize| (false, on.get(i).map_or([0.0; 2], |on| [on[0] / units[0], on[1] / units[1]]));
         let said: Vec<_> = (0..held.beam().springs().len()).map(said).collect();
-        let proven = with_springs(&held, scaled.balance, &said, |enclosed| {
+        let proven = with_springs(&held, scaled.balance, (&said, hung), |enclosed| {
             let cut = stretches::cut(enclosed, witness);
             let (pair, known) = of_pair(enclosed, &scaled, kernel::springs::pair(enclosed, &cut));
             let known = bearings::of_scene(&scaled.scene, enclosed, &pair.as_ref()?.0, &known)?;

@@ -56,7 +56,7 @@ use super::support_forces::clear_from;
 /// Bounds of the greatest and of the least moment; the former is [`None`] where nothing could be shown beside a support.
 pub(super) fn moments(enclosed: &EnclosedScene<'_>, pair: &Pair) -> [Option<Interval>; 2] {
     if let Some(sprung) = &pair.ground {
-        return on_springs::moments(enclosed, sprung, pair.gap);
+        return on_springs::moments(enclosed, pair, sprung);
     }
     let EnclosedScene { length, .. } = *enclosed;
     let moment = |ends: [f64; 2], v: &Polynomial| {

@@ -39,22 +39,27 @@ pub(super) fn cut(enclosed: &EnclosedScene<'_>, given: &[Stretch]) -> Vec<Stretc
             cells(enclosed, width, &stretch, &mut cut);
         }
     }
-    // From derivatives to moment and shear.
+    // From derivatives to moment and vertical force.
     for stretch in &mut cut {
         let (presses, at) = (!stretch.sunk.is_empty(), [(stretch.from, false), (stretch.to, true)]);
         for (end, (x, left)) in stretch.ends.iter_mut().zip(at) {
             let gap = enclosed.gap.jet(x, left).map(|g| if presses { g.middle() } else { 0.0 });
             let stiffness = enclosed.stiffness_beside(x, left).middle();
             (end[2], end[3]) = (-stiffness * (end[2] + gap[2]), -stiffness * (end[3] + gap[3]));
+            if enclosed.tension != 0.0 {
+                end[3] += enclosed.tension * (end[1] + gap[1]);
+            }
         }
     }
     cut
 }
 
-/// `1/λ` of a stretch; without end where there is no ground.
+/// `1/λ` of a stretch, without end where there is no ground, and no more than `1/μ` under an axial force.
 fn length(enclosed: &EnclosedScene<'_>, stretch: &Stretch) -> f64 {
     let ends = [stretch.from, stretch.to];
-    (0.25 * enclosed.ground_between(ends) / enclosed.stiffness_between(ends)).sqrt().sqrt().recip()
+    let stiffness = enclosed.stiffness_between(ends);
+    let decay = (0.25 * enclosed.ground_between(ends) / stiffness).sqrt().sqrt().recip();
+    if enclosed.tension == 0.0 { decay } else { decay.min((stiffness / enclosed.tension.abs()).sqrt()) }
 }
 
 /// What hangs between two supports or pressed stretches as one stretch.

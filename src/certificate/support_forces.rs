@@ -20,9 +20,12 @@
 //! A support that only pushes is a point of the ground. Where the beam is clear of the ground beside it, its force follows in the
 //! same way; where the beam is clear of it, it is zero.
 
+mod axial;
+
+use self::axial::{pulled, under_axial_force};
 use super::beside::{bends_away, lies_beside, lies_idle, opens};
-use super::kernel::contact_node::EnclosedScene;
-use super::kernel::distance::{self, factor, lines, on_part};
+use super::kernel::contact_node::{EnclosedScene, EnclosedSupport};
+use super::kernel::distance::{factor, lines, on_part};
 use super::kernel::foundation::inside;
 use super::kernel::giving::SaidSpring;
 use super::kernel::interval::Interval;
@@ -65,7 +68,7 @@ pub(super) fn forces(
 /// |R − R*| ≤ √( 2 gap ∫ (EI φ''² + k φ²) dx ),    φ = 1 − 3t² + 2t³ for t = s/w:    12 EI/w³ + 13 k w/35 on each side
 /// ```
 ///
-/// with the greatest `EI` and `k`, for the forces of the pair, least where `w⁴ = 36·35 EI / 13 k`. Where statics alone give the forces of the supports, `φ` is a line, with
+/// (under an axial force twice that, and `pulled`) with the greatest `EI` and `k`, for the forces of the pair, least where `w⁴ = 36·35 EI / 13 k`. Where statics alone give the forces of the supports, `φ` is a line, with
 /// `∫ k φ² dx` alone, which is less on soft ground. `R` is one of the reactions of the pair, which enclose what is cut off: each
 /// support takes no more than the share that is added on both sides.
 fn on_springs(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Interval> {
@@ -82,8 +85,12 @@ fn on_springs(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Interval> {
         let end = Interval::length(x, enclosed.length).lo();
         let after = all.get(i + 1).map_or(end, |next| Interval::length(x, *next).lo());
         // At an end of the beam there is one side.
-        let sides = [before, after].into_iter().filter(|room| 0.0 < *room).map(|room| side(room.min(widest)));
-        let bent = sides.fold(Interval::ZERO, |sum, side| sum + side);
+        let widths = [before, after].map(|room| room.min(widest)).into_iter().filter(|width| 0.0 < *width);
+        let bent = widths.clone().map(side).fold(Interval::ZERO, |sum, side| sum + side);
+        if enclosed.tension != 0.0 {
+            let root = (number(2) * Interval::exact(pair.gap) * bent).sqrt() * number(2);
+            return force + Interval::around_zero((root + pulled(enclosed, pair, widths)).hi());
+        }
         let size = straight(enclosed, i).map(|square| k * square).filter(|size| size.hi() < bent.hi()).unwrap_or(bent);
         force + Interval::around_zero((number(2) * Interval::exact(pair.gap) * size).sqrt().hi())
     };
@@ -161,7 +168,8 @@ fn by_statics(scene: &Scene, load: &Load, enclosed: &EnclosedScene<'_>, pair: &P
         Interval::ZERO
     } else {
         let levels = [(a, 0.0), (b, enclosed.length)].map(|(x, end)| {
-            let held = enclosed.support(x).filter(|_| x.total_cmp(&end).is_eq());
+            let is_firm = |support: &&EnclosedSupport| x.total_cmp(&end).is_eq() && support.gives.is_none();
+            let held = enclosed.support(x).filter(is_firm);
             held.map(|support| support.deflection)
         });
         Interval::exact(enclosed.tension) * (levels[1]? - levels[0]?) / apart
@@ -241,24 +249,6 @@ fn own_bracket(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, force: Interva
     let [k, _] = gives.spring?;
     let bracket = force + Interval::around_zero((number(2) * Interval::exact(pair.gap) * k).sqrt().hi());
     Some(if gives.pushes { bracket.positive_part() } else { bracket })
-}
-
-/// At least `κ²` of a beam under an axial force, whose vertical forces differ by `κ = m' + N w'`, `w = v̂ − v*`, up to the distance `c`. The
-/// moments of the pair are in balance with the loads and `N v̂''`, so that they are `ρ` off `−EI v̂''`, and with `φ = 6 s (c − s)/c³`
-///
-/// ```text
-/// κ = ∫ κ φ dx = −∫ m φ' dx + ∫ N w' φ dx,    ‖m‖ ≤ ρ + ‖w‖ ≤ 2 √(2 gap)
-/// |κ| ≤ √(2 gap) (2 √(12 EI/c³) + √(6 N/5 c)),      under compression with max |w| (∫ |φ'| dx = 3/c) in the last term: 3 |N| max |w|/c
-/// ```
-fn under_axial_force(enclosed: &EnclosedScene<'_>, pair: &Pair, c: Interval) -> Interval {
-    let (root, force) = ((number(2) * Interval::exact(pair.gap)).sqrt(), Interval::exact(enclosed.tension.abs()));
-    let bent = number(2) * root * (number(12) * Interval::exact(enclosed.stiffest) / (c * c * c)).sqrt();
-    let pulled = if 0.0 < enclosed.tension {
-        root * (number(6) * force / (number(5) * c)).sqrt()
-    } else {
-        number(3) * force * Interval::exact(distance::anywhere(pair, enclosed.stiffness, enclosed.length)) / c
-    };
-    (bent + pulled).square()
 }
 
 /// Whether the beam is proven to be clear of the support that only pushes at a place.

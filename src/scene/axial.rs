@@ -10,7 +10,7 @@
 //! compression only changes the sign of `z`.
 
 use super::written::{rounded, shown};
-use super::{Beam, SceneError};
+use super::{Beam, SceneError, Support};
 
 /// Where the parts of a beam end at the latest: `|N| ℓ²/EI ≤ ¾` leaves the first term that is left out of each series below the rounding of
 /// its sum.
@@ -100,7 +100,7 @@ impl Beam {
     ///
     /// Elimination of deflections and moments along the beam ([`turns`]) has one negative pivot for each moment as long as its stiffness is
     /// positive definite (Sylvester's law of inertia), and more beyond that.
-    pub(super) fn buckles_at(&self) -> f64 {
+    pub(crate) fn buckles_at(&self) -> f64 {
         /// Halvings of the exponent, and of the number.
         const STEPS: u32 = 48;
         let (mut safe, mut buckled) = (0.0, self.bending_stiffness() / (self.length() * self.length()));
@@ -116,7 +116,7 @@ impl Beam {
 
     /// Whether the beam is stable under a compression, on the supports that hold it.
     pub(super) fn is_stable(&self, tension: f64) -> bool {
-        let built_in = self.supports().iter().filter(|s| s.slope.is_some()).map(|s| s.at);
+        let built_in = self.supports().iter().filter(|s| s.is_built_in()).map(|s| s.at);
         let mut from = 0.0;
         // Nothing passes a place where the beam is built in.
         built_in.chain([self.length()]).all(|to| {
@@ -127,7 +127,7 @@ impl Beam {
     }
 
     fn is_stable_between(&self, [from, to]: [f64; 2], tension: f64) -> bool {
-        let mut places: Vec<f64> = self.supports().iter().map(|s| s.at).chain(self.changes()).collect();
+        let mut places: Vec<f64> = self.holding().map(|s| s.at).chain(self.changes()).collect();
         places.extend(self.joints().iter().map(|joint| joint.at));
         places.retain(|x| from < *x && *x < to);
         places.extend([from, to]);
@@ -140,29 +140,38 @@ impl Beam {
             let parts = parts_of(whole, tension, stiffness);
             for i in 0..parts {
                 let part = Part { length: whole / f64::from(parts), stiffness };
-                let [held, free] = if i == 0 { self.fixed_at(ends[0]) } else { [0.0; 2] };
-                chain.node(held, free, Some(&part), tension);
+                let fixed = if i == 0 { self.fixed_at(ends[0]) } else { Fixed::default() };
+                chain.node(fixed, Some(&part), tension);
             }
         }
-        let [held, free] = self.fixed_at(to);
-        chain.node(held, free, None, tension);
+        chain.node(self.fixed_at(to), None, tension);
         chain.negative <= chain.nodes
     }
 
-    /// What holds the deflection at a place, and what makes its moment vanish or lets the beam turn.
-    fn fixed_at(&self, x: f64) -> [f64; 2] {
+    /// What is at a place.
+    fn fixed_at(&self, x: f64) -> Fixed {
         /// As good as rigid beside anything of the order of one.
         const RIGID: f64 = f64::from_bits(0x52b0_0000_0000_0000);
         let here = |at: f64| at.total_cmp(&x).is_eq();
-        let support = self.supports().iter().find(|support| here(support.at));
-        let is_end = (x <= 0.0 || self.length() <= x) && support.is_none_or(|support| support.slope.is_none());
-        let turning = self
-            .joints()
-            .iter()
-            .find(|joint| here(joint.at))
-            .map_or(0.0, |joint| joint.stiffness.map_or(RIGID, f64::recip));
-        [if support.is_some() { RIGID } else { 0.0 }, if is_end { RIGID } else { turning }]
+        let support = self.holding().find(|support| here(support.at));
+        let held = support.map_or(0.0, |support| support.stiffness.unwrap_or(RIGID));
+        let turning = support.and_then(|support| support.turning_stiffness).unwrap_or(0.0);
+        let is_built_in = support.is_some_and(Support::is_built_in);
+        let end = (x <= 0.0 || self.length() <= x) && !is_built_in;
+        let joint = self.joints().iter().find(|joint| here(joint.at));
+        let joint = joint.map_or(0.0, |joint| joint.stiffness.map_or(RIGID, f64::recip));
+        let free = [end && x <= 0.0, end && 0.0 < x].map(|end| if end { RIGID } else { 0.0 });
+        Fixed { held, turning, free: [free[0], free[1] + joint] }
     }
+}
+
+/// What holds a place of the beam: how stiff it is against sinking and against turning, and what lets the beam turn before that and
+/// behind it.
+#[derive(Debug, Clone, Copy, Default)]
+struct Fixed {
+    held: f64,
+    turning: f64,
+    free: [f64; 2],
 }
 
 /// Into how many parts a stretch is cut, so that none is longer than [`LONGEST`].
@@ -185,9 +194,18 @@ struct Elimination {
 
 impl Elimination {
     /// A node with what is to its right.
-    fn node(&mut self, held: f64, free: f64, part: Option<&Part>, tension: f64) {
+    fn node(&mut self, Fixed { held, turning, free: [before, behind] }: Fixed, part: Option<&Part>, tension: f64) {
+        self.g += before;
+        if 0.0 < turning {
+            // Two moments beside it, `−(g + 1/k)` the pivot of the one before it.
+            let share = 1.0 / (1.0 + turning * self.g);
+            self.nodes += 1;
+            self.negative += u32::from(0.0 < share);
+            self.b += turning * share * self.e * self.e;
+            (self.e, self.g) = (self.e * share, self.g * share);
+        }
         let [c, n, w, off, left] = part.map_or([0.0; 5], |part| law(part.length, part.stiffness, tension));
-        let (b, g) = (self.b + held, self.g + free + w);
+        let (b, g) = (self.b + held, self.g + behind + w);
         let (a, h) = (b + n, c + self.e);
         let d = a * g + h * h;
         self.nodes += 1;

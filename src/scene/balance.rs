@@ -149,7 +149,7 @@ impl Balance {
 
     /// Under tension, which holds the beam against turning, wherever its loads have their resultant, and holds all parts between hinges.
     fn in_tension(scene: &Scene) -> Result<Self, Unheld> {
-        if !scene.beam().supports().is_empty() {
+        if scene.beam().holding().next().is_some() {
             return Ok(Self::Held);
         }
         let force = Sum::of_forces(scene);

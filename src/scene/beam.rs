@@ -148,7 +148,7 @@ impl Beam {
     }
 
     /// What holds it both ways, at a level or about it.
-    pub(super) fn holding(&self) -> impl Iterator<Item = &Support> {
+    pub(crate) fn holding(&self) -> impl Iterator<Item = &Support> {
         self.supports.iter().chain(self.springs.iter().filter(|support| !support.pushes_only))
     }
 

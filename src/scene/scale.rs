@@ -88,9 +88,6 @@ impl Scene {
             return Err(SceneError::Overflow { quantity: Quantity::Tension, what, value: tension });
         }
         let scene = self.in_units(&scale, stiffness)?;
-        if scene.beam().tension() < 0.0 {
-            scene.is_firm("a beam under compression")?;
-        }
         scene.beam().check_compression().map_err(|unstable| unstable.times(stiffness / length / length))?;
         let balance = Balance::of(&scene).map_err(|unheld| unheld.in_units_of(&scale))?;
         Ok(Scaled { scene, scale, balance })

@@ -46,10 +46,18 @@ pub(super) fn between(
     divisions: &[usize],
     joint_at_end: f64,
 ) -> Option<Vec<Span>> {
-    let way = Way::of(given, &a, &b);
-    let last = Place::node(joint_at_end, profile_bend(given, &b, &way));
-    let tips = [(&a, 0), (&b, 1)].map(|(end, side)| tip(given, end, &way, side));
-    let (mut spans, _) = chained(given, [a, b], divisions, &way, ([Place::default(), last], tips))?;
+    let is_free = [a, b].map(|end| end.hold == EndCondition::Free);
+    let way = if is_free == [true; 2] { Way::afloat(given, [a, b], None) } else { Way::of(given, &a, &b) };
+    let place = |side: usize| match is_free[side] {
+        true => {
+            let line = [way.levels[side], way.incline];
+            Place::at(given, if side == 0 { 0 } else { given.cells.len() }, way.in_beam, line)
+        }
+        false if side == 0 => Place::default(),
+        false => Place::node(joint_at_end, profile_bend(given, &b, &way)),
+    };
+    let tips = [0, 1].map(|side| is_free[side].then(|| tip(given, &way, side)));
+    let (mut spans, _) = chained(given, [a, b], divisions, &way, ([0, 1].map(place), tips))?;
     if let Some(first) = spans.first_mut() {
         way.know(0, &mut first.at_a, &mut first.beam_a);
     }
@@ -267,17 +275,13 @@ fn profile_bend(given: &PiecewiseScene, end: &End, way: &Way) -> f64 {
     if way.in_beam { 0.0 } else { given.bent(end.cell, end.x, 2) }
 }
 
-/// `n` and the vertical force, as the chain counts it, at a free end of the beam under an axial force.
-fn tip(given: &PiecewiseScene, end: &End, way: &Way, side: usize) -> Option<[f64; 2]> {
-    (end.hold == EndCondition::Free).then_some(())?;
-    let [at, sign] = if side == 0 { [0.0, 1.0] } else { [given.length, -1.0] };
-    let Breakpoint { force, couple, .. } = given.breakpoints[given.breakpoint_at(at)?];
-    let acts = [sign * couple, sign * force];
+/// `n` and the vertical force, as the chain counts it, beyond a free end of the beam under an axial force.
+fn tip(given: &PiecewiseScene, way: &Way, side: usize) -> [f64; 2] {
     if way.in_beam {
-        return Some([-acts[0], -acts[1] - given.tension * way.incline]);
+        return [0.0, -given.tension * way.incline];
     }
     let [_, slope, bent, third] = way.profiles[side];
-    Some([bent - acts[0], third - given.tension * slope - acts[1]])
+    [bent, third - given.tension * slope]
 }
 
 /// The parts of a span from left to right: mostly one.

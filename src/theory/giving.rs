@@ -14,7 +14,7 @@ use super::check::{Check, TOLERANCE};
 use super::exact::Exact;
 use super::list::List;
 use super::piece::derivatives;
-use super::piecewise::{AtSpring, PiecewiseScene};
+use super::piecewise::{AtSpring, Breakpoint, PiecewiseScene};
 use super::search::Candidate;
 use super::solve::TheoryError;
 use super::span::Span;
@@ -75,11 +75,12 @@ fn state(
     let sides = [left.or(on_ground[0]), right.or(on_ground[1])];
     let Some([v, slope, ..]) = sides[1].or(sides[0]) else { return SpringState::default() };
     let moments = sides.map(|side| side.map_or(0.0, |beam| -beam[2]));
-    let shears = sides.map(|side| side.map_or(0.0, |beam| -beam[3]));
+    let shears = vertical(given, at, sides);
     let touches = zone || node.is_some();
     let v = if touches { at.depth } else { v };
     let jump = shears[1] - shears[0] + at.force;
     let size = if touches { f64::INFINITY } else { shears[0].abs() + shears[1].abs() + at.force.abs() };
+    let size = if given.tension == 0.0 { size } else { size + (given.tension * slope).abs() };
     let force = exerted(spring.stiffness, [v, spring.level], jump, [most[0], size]);
     let couple = spring.turning.map_or(0.0, |[k, without]| {
         let jump = moments[1] - moments[0] + at.couple;
@@ -91,6 +92,12 @@ fn state(
         }
     });
     SpringState { force, couple, moments }
+}
+
+/// The vertical forces `V + N v'` beside a breakpoint, nothing beyond the ends of the beam; without `N v'` where the slope is one.
+fn vertical(given: &PiecewiseScene, at: &Breakpoint, sides: [Option<[f64; 4]>; 2]) -> [f64; 2] {
+    let turns = given.tension != 0.0 && (at.x <= 0.0 || given.length <= at.x || at.joint != 0.0);
+    sides.map(|side| side.map_or(0.0, |beam| if turns { given.tension * beam[1] - beam[3] } else { -beam[3] }))
 }
 
 /// What a spring exerts: either from how far it gives, or from what jumps. Of a stiff one the former has no digits, of a soft one the latter,

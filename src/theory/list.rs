@@ -89,11 +89,11 @@ impl List {
             return Some(Unknown::Place);
         }
         // Under an axial force the moment of an overhang depends on its slope.
-        let bends = if given.tension == 0.0 {
-            !self.overhangs(given, i).contains(&true) || node.turning(given).is_some()
-        } else {
-            0.0 < node.x && node.x < given.length
+        let bends = match given.tension == 0.0 {
+            true => !self.overhangs(given, i).contains(&true),
+            false => 0.0 < node.x && node.x < given.length,
         };
+        let bends = bends || node.turning(given).is_some();
         (bends && node.held_slope(given).is_none()).then_some(Unknown::Slope)
     }
 

@@ -85,9 +85,6 @@ pub fn solve(scene: &Scene) -> Result<Exact, TheoryError> {
 ///
 /// Those of [`solve`].
 pub fn solve_near(scene: &Scene, near: &[&Exact]) -> Result<Exact, TheoryError> {
-    if scene.beam().tension() != 0.0 {
-        scene.is_firm("the exact solution under an axial force")?;
-    }
     let scaled = scene.scaled()?;
     let foundation = scaled.scene.foundation();
     let own = scaled.scene.beam().shape().filter(|_| foundation.is_some());
@@ -118,7 +115,6 @@ pub fn solve_near(scene: &Scene, near: &[&Exact]) -> Result<Exact, TheoryError> 
         return Err(TheoryError::TooManyParts { tension: tension * unit, most: most * unit.abs() });
     }
     if let Some(ground) = scaled.scene.ground_stiffness() {
-        scene.has_no_tension("the solution on ground that gives")?;
         return Ok(springs::exact(&scaled, PiecewiseScene::new(&scaled.scene), ground, near)?);
     }
     let near: Vec<&Exact> = near.iter().copied().filter(|near| near.solved).collect();

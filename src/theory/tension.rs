@@ -30,7 +30,7 @@ pub(super) struct Tense {
     /// `1/ℓ`, `N/ℓ`, `w`, `ω` and `1/ℓ² − ω N/ℓ`.
     pub(super) law: [f64; 5],
     /// What the load makes of `h'`, `T` and `e h'''` at both ends.
-    own: [[f64; 3]; 2],
+    pub(super) own: [[f64; 3]; 2],
 }
 
 impl Tense {
@@ -75,17 +75,25 @@ impl Exact {
     /// Under an axial force the deflection between contacts, in the units of [`Scene::scaled`](crate::scene::Scene::scaled): a part of the
     /// witness of a certificate. About its middle a piece, of half a cell, needs few terms: `0.2¹¹/11!` is `5·10⁻¹⁶`.
     pub(crate) fn hung(&self) -> Vec<Hung> {
-        let hangs = |piece: &&Piece| self.given.tension != 0.0 && piece.state.is_some();
-        let mut taylor = vec![0.0; self.given.terms];
-        let of = |piece: &Piece| {
-            piece.deflection(&self.given, &mut taylor);
+        let few = |piece: &Piece, taylor: &[f64]| {
             let mut few = vec![0.0; MOST_TERMS.min(taylor.len())];
-            shifted(&taylor, 0.5 * (piece.lo + piece.hi) - piece.anchor, &mut few);
+            shifted(taylor, 0.5 * (piece.lo + piece.hi) - piece.anchor, &mut few);
             let mut deflection = vec![0.0; few.len()];
             shifted(&few, -0.5 * piece.width(), &mut deflection);
             Hung { from: piece.lo, to: piece.hi, deflection }
         };
-        self.pieces.iter().filter(hangs).map(of).collect()
+        if self.given.tension == 0.0 {
+            return Vec::new();
+        }
+        if let Some(springs) = &self.springs {
+            return springs.hanging().map(|part| few(&part.piece, &part.deflection)).collect();
+        }
+        let mut taylor = vec![0.0; self.given.terms];
+        let of = |piece: &Piece| {
+            piece.deflection(&self.given, &mut taylor);
+            few(piece, &taylor)
+        };
+        self.pieces.iter().filter(|piece| piece.state.is_some()).map(of).collect()
     }
 }
 

@@ -52,7 +52,7 @@ impl ExactContacts {
     /// What they prove, if the scene can be scaled.
     pub(crate) fn proof(&self, scene: &Scene) -> Option<Proof> {
         match &self.stretches {
-            Some(stretches) => Proof::of_stretches_on(scene, stretches, &self.springs).ok(),
+            Some(stretches) => Proof::of_stretches_on(scene, stretches, (&self.springs, &self.hung)).ok(),
             None => Proof::of_held(scene, &self.contacts, &self.held, &self.springs, &self.hung).ok(),
         }
     }

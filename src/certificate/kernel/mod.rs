@@ -5,7 +5,7 @@
 //! | intervals and polynomials with interval coefficients | `interval`, `polynomial` |
 //! | enclosure of the scene: foundation, gap, load, and what is zero but for rounding | `foundation`, `gap`, `load`; `scene::pieces` |
 //! | from contact nodes to a proven pair: spans, springs, clearances, forces that press, gap | `contact_node`, `span`, `flexibility`, `giving`, `proof`, `clearance`, `pressing`, `held`, `lines` |
-//! | the same under an axial force | `tension` |
+//! | the same under an axial force; what is left of buckling | `tension`; `steady` |
 //! | the same on ground that gives; along short stretches, and what holds the beam near by | `springs`; `walks`, `groups` |
 //! | from the gap to the error of a deflection | `reference`, `distance` |
 //!
@@ -28,4 +28,5 @@ pub(super) mod proof;
 pub(super) mod reference;
 pub(super) mod span;
 pub(super) mod springs;
+mod steady;
 pub(super) mod tension;

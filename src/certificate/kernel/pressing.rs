@@ -11,6 +11,8 @@ use super::reference::{Line, OUTWARDS, near};
 pub(crate) struct PullCutOff {
     /// Part, force, couple.
     pub(super) pulls: Vec<([f64; 2], f64, f64)>,
+    /// What moments in hinges cost under tension, which holds what they join.
+    taut: Interval,
 }
 
 impl PullCutOff {
@@ -43,8 +45,10 @@ impl PullCutOff {
     }
 
     /// A moment in a hinge: beside it, a couple on each of both parts that it joins.
-    pub(crate) fn hinge(&mut self, x: f64, moment: Interval) {
-        if 0.0 < moment.magnitude() {
+    pub(crate) fn hinge(&mut self, enclosed: &EnclosedScene<'_>, x: f64, moment: Interval) {
+        if let Some(turn) = enclosed.turn_of_hinge(x) {
+            self.taut = self.taut + turn * Interval::exact(moment.magnitude());
+        } else if 0.0 < moment.magnitude() {
             let beside = [x.next_down(), x.next_up()];
             self.pulls.extend(beside.map(|x| ([x, x], 0.0, moment.magnitude())));
         }
@@ -58,7 +62,7 @@ impl PullCutOff {
     /// ```
     pub(crate) fn carried(&self, lines: &[Line], stiffness: f64, soft: f64) -> [Interval; 2] {
         let root = (number(3) * Interval::exact(stiffness)).sqrt();
-        let mut sums = [Interval::ZERO; 2];
+        let mut sums = [self.taut, Interval::ZERO];
         for &(part, force, couple) in &self.pulls {
             let takes = |of: f64, lever: f64| if 0.0 < of { of * lever } else { 0.0 };
             let bent =

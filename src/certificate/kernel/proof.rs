@@ -112,7 +112,7 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
         let moments = [beside(i.wrapping_sub(1), 1, first), beside(i, 0, last)];
         shears[i] = span.shears(enclosed.tension, moments);
         gap = gap + span.work(enclosed, moments);
-        span.hinges(moments).for_each(|(x, moment)| cut_off.hinge(x, moment));
+        span.hinges(enclosed, moments).into_iter().for_each(|(x, moment)| cut_off.hinge(enclosed, x, moment));
         for (x, kink) in span.kinks() {
             let k = enclosed.joints.iter().find(|joint| joint.0.total_cmp(x).is_eq()).map_or(0.0, |joint| joint.1);
             turned = turned + kink.square() * Interval::exact(0.5 * k);
@@ -138,7 +138,7 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
         forces.push(force);
         let support = enclosed.support(node.x);
         if enclosed.is_hinge(node.x) && spans[i].is_none() {
-            cut_off.hinge(node.x, moments[i].0[0]);
+            cut_off.hinge(enclosed, node.x, moments[i].0[0]);
         }
         let pushes = support.is_none_or(EnclosedSupport::pushes);
         if pushes {

@@ -219,8 +219,12 @@ impl Span {
     }
 
     /// What moment there is in its hinges for those at both ends, with the place of each.
-    pub(crate) fn hinges(&self, moments: [Interval; 2]) -> impl Iterator<Item = (f64, Interval)> + '_ {
-        self.flexible.iter().flat_map(move |flexible| flexible.in_hinges(moments))
+    pub(crate) fn hinges(&self, enclosed: &EnclosedScene<'_>, moments: [Interval; 2]) -> Vec<(f64, Interval)> {
+        match (&self.hung, &self.flexible) {
+            (Some(parts), _) => self.hinges_under_tension(enclosed, parts, moments),
+            (_, Some(flexible)) => flexible.in_hinges(moments).collect(),
+            _ => Vec::new(),
+        }
     }
 
     /// `V`, or under an axial force `H`, at its two ends from the moments there: not from the third derivative, of which rounding is larger by the square of a
@@ -236,7 +240,7 @@ impl Span {
     /// At least `½∫ (EI v'' + M)²/EI dx`, and the same of joints, from the moments at its two ends.
     pub(crate) fn work(&self, enclosed: &EnclosedScene<'_>, moments: [Interval; 2]) -> Interval {
         if let Some(parts) = &self.hung {
-            return self.work_under_tension(enclosed, parts, moments, self.shears(enclosed.tension, moments)[0]);
+            return self.work_under_tension(enclosed, parts, moments);
         }
         let Some(flexible) = &self.flexible else {
             let stiffness = Interval::exact(enclosed.stiffness_between([self.from, self.to]));
@@ -254,6 +258,9 @@ impl Span {
 
     /// `M(from + s)` by parts without a break of the load, from the moments at its two ends.
     pub(crate) fn moments(&self, enclosed: &EnclosedScene<'_>, at_ends: [Interval; 2]) -> Vec<([f64; 2], Polynomial)> {
+        if let Some(parts) = &self.hung {
+            return self.moments_under_tension(enclosed, parts, at_ends);
+        }
         let load = enclosed.load;
         let [mut moment, mut shear] = [at_ends[0], self.shears(enclosed.tension, at_ends)[0]];
         let part = |part: [f64; 2]| {

@@ -16,6 +16,9 @@
 //! v̂ = g + t + δ,    M = ∬(k t − q) + r,    p = M'' + q = k t + r'':    k w − p = k δ − r''
 //! ```
 //!
+//! Under an axial force (`tension`) `M'' = p − q − N v̂''`: it is `M + N (v̂ − v̂₀)` that is `∬(k t − q) + r` with the vertical forces for its
+//! slopes, which makes the same of `p`.
+//!
 //! Over a stretch far shorter than `(4 EI/k)^¼`, `δ` is a line and only one end is given (`walks`).
 //!
 //! Neither that `w ≥ 0` here nor that `w ≤ 0` elsewhere has to be proven. What pulls is cut off: from a beam that its supports do
@@ -197,6 +200,17 @@ impl OnSprings<'_> {
         t.times(self.stiffness(i)[0]).minus(&load).integral().integral()
     }
 
+    /// `N (v̂₁ − v̂₀)` of a pressed stretch.
+    fn pulled(&self, i: usize) -> Interval {
+        if self.enclosed.tension == 0.0 {
+            return Interval::ZERO;
+        }
+        let Stretch { from, to, .. } = self.stretches[i];
+        let (width, gap) = (Interval::length(from, to), self.enclosed.gap.about(from, [from, to]));
+        let sunk = [self.sunk(i, false), self.sunk(i + 1, true)].map(|w| w.map_or(Interval::WHOLE, |w| w[0]));
+        (gap.divided(1).at(width) * width + (sunk[1] - sunk[0])) * Interval::exact(self.enclosed.tension)
+    }
+
     /// `v₁ − v₀ − θ₀ L` of what hangs between two places at which ground presses: from what the gap rises by.
     fn rise(&self, i: usize) -> Option<Interval> {
         let is_free = |node: usize| self.enclosed.support(self.x(node)).is_none();
@@ -237,8 +251,9 @@ impl OnSprings<'_> {
         if let Some(walked) = self.sheared[node] {
             return walked;
         }
-        let hanging =
-            |i: usize| spans.get(i)?.as_ref().map(|span| span.shears(0.0, [moments[i][1], moments[i + 1][0]]));
+        let hanging = |i: usize| {
+            spans.get(i)?.as_ref().map(|span| span.shears(self.enclosed.tension, [moments[i][1], moments[i + 1][0]]))
+        };
         let (load, is_free) = (self.enclosed.load.point(self.x(node)), self.enclosed.support(self.x(node)).is_none());
         let [before, behind] = [node.checked_sub(1).and_then(hanging).map(|v| v[1]), hanging(node).map(|v| v[0])];
         let [left, right] = [true, false].map(|left| self.said(node, left, 3).unwrap_or(Interval::ZERO));
@@ -250,7 +265,8 @@ impl OnSprings<'_> {
     /// Adds a part that hangs, with the moments at its two ends: by how far it is off its moments, and below the ground.
     fn hang(&self, i: usize, span: &Span, moments: [Interval; 2], sums: &mut Sums) {
         sums.square = sums.square + number(2) * span.work(self.enclosed, moments);
-        span.hinges(moments).for_each(|(x, moment)| sums.cut_off.hinge(x, moment));
+        let hinges = span.hinges(self.enclosed, moments);
+        hinges.into_iter().for_each(|(x, moment)| sums.cut_off.hinge(self.enclosed, x, moment));
         for &(x, kink) in span.kinks() {
             let k = Interval::exact(self.enclosed.joint(x).unwrap_or(0.0));
             sums.turned = sums.turned + k * kink.square();
@@ -292,12 +308,21 @@ impl OnSprings<'_> {
         let (ends, (width, t)) = ([from, to], self.polynomial(i));
         let ends_sunk = [self.sunk(i, false)?, self.sunk(i + 1, true)?];
         let caused = self.caused(i, &t);
-        let [delta, r] = [(ends_sunk, &t, walks[0]), (held, &caused, walks[1])].map(|(ends, less, walk)| match walk {
+        let between = |ends: [[Interval; 2]; 2], less: &Polynomial, walk: Option<Walk>| match walk {
             Some(Walk { slope, is_all: true, .. }) => Polynomial::new(&[ends[0][0] - less.at(Interval::ZERO), slope]),
             _ => cubic(ends, less, width, walk.map(|walk| walk.slope)),
-        });
-        let (w, turn, moment) = (t.plus(&delta), r.derivative().derivative(), caused.plus(&r));
-        let (v, p) = (self.enclosed.gap.about(from, ends).plus(&w), t.times(k).plus(&turn));
+        };
+        let delta = between(ends_sunk, &t, walks[0]);
+        let w = t.plus(&delta);
+        let v = self.enclosed.gap.about(from, ends).plus(&w);
+        let [[left, first], [right, last]] = held;
+        let r = between([[left, first], [right + self.pulled(i), last]], &caused, walks[1]);
+        let (turn, mut moment) = (r.derivative().derivative(), caused.plus(&r));
+        if self.enclosed.tension != 0.0 {
+            let risen = v.minus(&Polynomial::new(&[v.at(Interval::ZERO)]));
+            moment = moment.minus(&risen.known(&[Interval::ZERO]).times(Interval::exact(self.enclosed.tension)));
+        }
+        let p = t.times(k).plus(&turn);
         let bending = v.derivative().derivative().times(stiffness).plus(&moment);
         let of = |p: &Polynomial| p.integral_of_product(p, width).not_negative();
         sums.square = sums.square + of(&bending) / stiffness + of(&delta.times(k).minus(&turn)) / k;
@@ -349,8 +374,9 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, stretches: &[Stretch]) -> Optio
     let force = |&node: &usize| shears[node][1] - shears[node][0] + enclosed.load.point(on.x(node));
     let carried = nodes.iter().map(|node| (on.x(*node), force(node) + Interval::around_zero(share.hi()))).collect();
     let zones = on.held_by_groups(&sums, gap);
+    let taut = Taut::of(enclosed, on.supports(&sums), gap, share);
     let ground = Some(Sprung { energy: sums.energy / number(2), moments: sums.moments });
-    let (pieces, turned, soft, taut) = (sums.pieces, sums.turned / number(2), enclosed.soft(), Taut::default());
+    let (pieces, turned, soft) = (sums.pieces, sums.turned / number(2), enclosed.soft());
     Some(Pair { pieces, gap, carried, lines, zones, turns_about: None, lifted: 0.0, ground, turned, soft, taut })
 }
 

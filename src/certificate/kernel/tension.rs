@@ -8,12 +8,15 @@
 //! ```
 //!
 //! if the second part of `J`, `½∫ EI w''² + ½∫ N w'²`, is at least `α ‖w‖²/2` for all `w` that vanish at the supports: `α = 1` under tension,
-//! and `1 − |N|/N_cr` under compression. A gap that is divided by `α²` bounds both. In joints `k [w']²` belongs to the norm, and
-//! `(k [v̂'] + M)²/k` to `ρ²`.
+//! and under compression what is proven to be left (`steady`). A gap that is divided by `α²` bounds both. In joints `k [w']²` belongs to the
+//! norm, and `(k [v̂'] + M)²/k` to `ρ²`; of supports that give what they take up, of ground that gives `½∫ (k ŵ − p)²/k` to the gap.
 //!
-//! *Bound on `N_cr`.* Between two neighbouring supports `w'` has the mean zero, so that `∫ w'² ≤ (L/π)² ∫ w''²`, and in joints at the
-//! distances `a + b = L` by Southwell's and Dunkerley's sum of flexibilities `L²/π² EI + Σ ab/Lk`. From a place where `w' = 0`, in the
-//! outermost span or where the beam is built in, to a free end at the distance `D` at most `∫ w'² ≤ (2D/π)² ∫ w''²`.
+//! A moment `M` that is left in a hinge costs `M [w']`. Up to the next joint, `a` away, the energy `E` of a beam under tension is at least
+//! `½ κ w'²` of the slope at the hinge, so that `|[w']| ≤ √(2/κ) √(2 E)`:
+//!
+//! ```text
+//! κ = √(N EI) tanh(μ a) ≥ √(N EI) μ a/(1 + μ a) = N a/(1 + μ a),      μ² = N/EI
+//! ```
 
 use std::rc::Rc;
 
@@ -58,7 +61,7 @@ fn numbers(of: &Polynomial, s: Interval) -> [Interval; 2] {
 /// What holds a beam under tension as a string: `½∫ N w'²` is less than the gap as well, and with a place `y` where `|w| ≤ ε`
 ///
 /// ```text
-/// |w(x)| ≤ ε + √(2 gap |x − y|/N)
+/// |w(x)| ≤ ε + √(2 gap (|x − y|/N + 1/k))        k of a support that gives there
 /// ```
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Taut {
@@ -75,7 +78,7 @@ impl Taut {
         if enclosed.tension <= 0.0 {
             return Self::default();
         }
-        let supports = enclosed.supports.iter().map(|support| Datum::at(support.x));
+        let supports = enclosed.holding();
         let pressing = carriers.into_iter().filter_map(|place| known(place, gap, share));
         let places = supports.chain(pressing).take(MOST).collect();
         let lever = (number(3) * Interval::exact(enclosed.stiffness) / Interval::exact(enclosed.tension)).sqrt().hi();
@@ -86,7 +89,10 @@ impl Taut {
     pub(super) fn on_part(&self, factor: f64, [a, b]: [f64; 2]) -> f64 {
         let bound = |place: &Datum| {
             let far = (b - place.from).max(place.to - a).max(0.0);
-            (factor * self.lever * far.sqrt() + place.uncertainty) * OUTWARDS
+            let soft = place.soft[0];
+            let lever =
+                if soft <= 0.0 { self.lever * far.sqrt() } else { (self.lever * self.lever * far + soft).sqrt() };
+            (factor * lever + place.uncertainty) * OUTWARDS
         };
         self.places.iter().map(bound).fold(f64::INFINITY, f64::min)
     }
@@ -169,16 +175,15 @@ impl Span {
         Some(Self::of_parts(enclosed, parts.collect(), self.kinks.clone(), self.loaded, free))
     }
 
-    /// At least `½∫ r²/EI + Σ (k [v̂'] + M)²/2k` of parts, from the moments at the two ends of the span and the vertical force at the left one.
-    pub(super) fn work_under_tension(
+    /// `M` on each part, from the moments at the two ends of the span and the vertical force at the left one.
+    pub(super) fn moments_under_tension(
         &self,
         enclosed: &EnclosedScene<'_>,
         parts: &Parts,
         moments: [Interval; 2],
-        force: Interval,
-    ) -> Interval {
+    ) -> Vec<([f64; 2], Polynomial)> {
         let (load, tension) = (enclosed.load, Interval::exact(enclosed.tension));
-        let mut sum = Interval::ZERO;
+        let force = self.shears(enclosed.tension, moments)[0];
         // From one place where the load changes to the next one: it, its shear force and moment there, and `∬q` beyond.
         let mut breaks = load.breaks(self.from, self.to).into_iter().peekable();
         let at = |x: f64, to: f64| Polynomial::new(&load.line(x, [x, to])).integral().integral();
@@ -186,28 +191,60 @@ impl Span {
             |breaks: &mut std::iter::Peekable<std::vec::IntoIter<f64>>| breaks.peek().copied().unwrap_or(self.to);
         let (mut origin, mut moment, mut shear) = (self.from, moments[0], force);
         let mut caused = at(origin, next(&mut breaks));
-        for ([from, to], v) in parts.iter() {
-            let width = Interval::length(*from, *to);
+        let of = |([from, to], v): &([f64; 2], Polynomial)| {
             let line = Polynomial::new(&[moment, shear]).minus(&caused).shifted(Interval::length(origin, *from));
             let risen = v.minus(&Polynomial::new(&[self.start[0]])).times(tension);
-            let stiffness = Interval::exact(enclosed.stiffness_between([*from, *to]));
-            let bent = line.minus(&risen);
-            let rest = v.derivative().derivative().times(stiffness).plus(&bent);
-            sum = sum + rest.integral_of_product(&rest, width).not_negative() / (number(2) * stiffness);
-            for &(x, k) in enclosed.joints.iter().filter(|joint| joint.0.total_cmp(to).is_eq()) {
-                let kink = self.kinks.iter().filter(|kink| kink.0.total_cmp(&x).is_eq());
-                let turned = kink.fold(Interval::ZERO, |sum, kink| sum + kink.1) * Interval::exact(k);
-                let here = if x.total_cmp(&self.to).is_eq() { moments[1] } else { bent.at(width) };
-                sum = sum + (turned + here).square() / (number(2) * Interval::exact(k));
-            }
             if breaks.next_if(|x| x.total_cmp(to).is_eq()).is_some() {
                 let there = Polynomial::new(&[moment, shear]).minus(&caused).shifted(Interval::length(origin, *to));
                 let [m, v] = [0, 1].map(|k| there.coefficients().get(k).copied().unwrap_or(Interval::ZERO));
                 (origin, moment, shear) = (*to, m + load.couple(*to), v - load.point(*to));
                 caused = at(origin, next(&mut breaks));
             }
+            ([*from, *to], line.minus(&risen))
+        };
+        parts.iter().map(of).collect()
+    }
+
+    /// At least `½∫ r²/EI + Σ (k [v̂'] + M)²/2k` of parts, from the moments at the two ends of the span.
+    pub(super) fn work_under_tension(
+        &self,
+        enclosed: &EnclosedScene<'_>,
+        parts: &Parts,
+        moments: [Interval; 2],
+    ) -> Interval {
+        let mut sum = Interval::ZERO;
+        let bent = self.moments_under_tension(enclosed, parts, moments);
+        for ((ends, v), (_, bent)) in parts.iter().zip(bent) {
+            let (width, stiffness) = (Interval::length(ends[0], ends[1]), enclosed.stiffness_between(*ends));
+            let stiffness = Interval::exact(stiffness);
+            let rest = v.derivative().derivative().times(stiffness).plus(&bent);
+            sum = sum + rest.integral_of_product(&rest, width).not_negative() / (number(2) * stiffness);
+            let Some(k) = enclosed.joint(ends[1]).filter(|k| 0.0 < *k) else { continue };
+            let kink = self.kinks.iter().filter(|kink| kink.0.total_cmp(&ends[1]).is_eq());
+            let turned = kink.fold(Interval::ZERO, |sum, kink| sum + kink.1) * Interval::exact(k);
+            let here = if ends[1].total_cmp(&self.to).is_eq() { moments[1] } else { bent.at(width) };
+            sum = sum + (turned + here).square() / (number(2) * Interval::exact(k));
         }
         sum
+    }
+
+    /// The moments that are left in hinges inside, with the place of each.
+    pub(super) fn hinges_under_tension(
+        &self,
+        enclosed: &EnclosedScene<'_>,
+        parts: &Parts,
+        moments: [Interval; 2],
+    ) -> Vec<(f64, Interval)> {
+        if !self.kinks.iter().any(|kink| enclosed.is_hinge(kink.0)) {
+            return Vec::new();
+        }
+        let bent = self.moments_under_tension(enclosed, parts, moments);
+        let hinged = bent.into_iter().filter(|(ends, _)| enclosed.is_hinge(ends[1]));
+        let left = |(ends, bent): ([f64; 2], Polynomial)| match ends[1].total_cmp(&self.to).is_eq() {
+            true => (ends[1], moments[1]),
+            false => (ends[1], bent.at(Interval::length(ends[0], ends[1]))),
+        };
+        hinged.map(left).collect()
     }
 
     /// Lifts the parts beside contacts, each for itself, as far as it has to be: over a whole span the axial force would make much of what is
@@ -251,10 +288,20 @@ impl Span {
 }
 
 impl EnclosedScene<'_> {
+    /// At least `√(2/κ)` of a hinge; [`None`] without tension.
+    pub(super) fn turn_of_hinge(&self, x: f64) -> Option<Interval> {
+        (0.0 < self.tension).then_some(())?;
+        let ends = self.joints.iter().map(|joint| joint.0).chain([0.0, self.length]);
+        let free = ends.map(|end| Interval::length(x.min(end), x.max(end)).lo()).filter(|far| 0.0 < *far);
+        let (free, tension) = (Interval::exact(free.fold(f64::INFINITY, f64::min)), Interval::exact(self.tension));
+        let rate = (tension / Interval::exact(self.stiffness)).sqrt();
+        Some((number(2) * (number(1) + rate * free) / (tension * free)).sqrt())
+    }
+
     /// Whether one place carries a beam under tension, which turns there until its moments are balanced.
     pub(super) fn hangs_on(&self, nodes: &[ContactNode]) -> bool {
         let is_free = |node: &ContactNode| matches!(node.slope, Slope::Free(_));
-        let is_held = |node: &ContactNode| self.support(node.x).is_some_and(|support| support.slope.is_some());
+        let is_held = |node: &ContactNode| self.support(node.x).is_some_and(|support| support.holds_slope());
         0.0 < self.tension && matches!(nodes, [node] if is_free(node) && !is_held(node))
     }
 
@@ -287,40 +334,5 @@ impl EnclosedScene<'_> {
         }
         let square = lift.integral_of_product(lift, length).not_negative() / Interval::exact(self.stiffness);
         (bent.sqrt() + Interval::exact(self.tension.abs()) * square.sqrt()).square()
-    }
-
-    /// At most `α`; not positive where that is not known.
-    pub(crate) fn steadiness(&self) -> f64 {
-        if 0.0 <= self.tension {
-            return 1.0;
-        }
-        let (stiffness, half_turn) = (Interval::exact(self.stiffness), Interval::TAU / number(2));
-        let clear = |[from, to]: [f64; 2]| !self.joints.iter().any(|joint| from <= joint.0 && joint.0 <= to);
-        let supports = self.supports;
-        let between = supports.windows(2).map(|two| {
-            let (a, b) = (two[0].x, two[1].x);
-            let inside = self.joints.iter().filter(|joint| a < joint.0 && joint.0 < b);
-            let soft = inside.map(|&(x, k)| {
-                Interval::length(a, x) * Interval::length(x, b) / (Interval::length(a, b) * Interval::exact(k))
-            });
-            soft.fold((Interval::length(a, b) / half_turn).square() / stiffness, |sum, one| sum + one)
-        });
-        // Beyond the outermost supports, from where the slope vanishes at the farthest.
-        let far = |end: f64, support: usize, next: Option<usize>| {
-            let (x, is_fixed) = (supports[support].x, supports[support].slope.is_some());
-            let from = if is_fixed { Some(x) } else { next.map(|next| supports[next].x) };
-            match from {
-                _ if x.total_cmp(&end).is_eq() => Interval::ZERO,
-                Some(from) if clear([from.min(end), from.max(end)]) => {
-                    (number(2) * Interval::length(from, end) / half_turn).square() / stiffness
-                }
-                _ => Interval::WHOLE,
-            }
-        };
-        let Some(last) = supports.len().checked_sub(1) else { return 0.0 };
-        let beyond = [far(0.0, 0, (0 < last).then_some(1)), far(self.length, last, last.checked_sub(1))];
-        let most = between.chain(beyond).fold(0.0_f64, |most, one| most.max(one.hi()));
-        let share = Interval::exact(-self.tension) * Interval::exact(most * OUTWARDS);
-        if 1 < supports.len() || supports[0].slope.is_some() { (number(1) - share).lo() } else { 0.0 }
     }
 }

@@ -26,15 +26,24 @@
 //! A support that gives is a support here: where one stands both fields may differ by another force and another couple.
 //!
 //! On both sides of a couple `m` is the same.
+//!
+//! Under an axial force `m'' = f − N w''` with `w = v̂ − v*`, and `∫ N w'' φ dx` is by parts no more than `3 |N| max |w|` where `φ = φ' = 0` before
+//! the next support and before the next end: there `w ≤ b/4` in every bay.
 
 use crate::certificate::kernel::contact_node::EnclosedScene;
+use crate::certificate::kernel::distance;
 use crate::certificate::kernel::interval::Interval;
 use crate::certificate::kernel::polynomial::number;
-use crate::certificate::kernel::proof::Sprung;
+use crate::certificate::kernel::proof::{Pair, Sprung};
 use crate::certificate::largest::extremes;
 
 /// Bounds of the greatest and of the least moment; [`None`] where nothing could be shown.
-pub(super) fn moments(enclosed: &EnclosedScene<'_>, sprung: &Sprung, gap: f64) -> [Option<Interval>; 2] {
+pub(super) fn moments(enclosed: &EnclosedScene<'_>, pair: &Pair, sprung: &Sprung) -> [Option<Interval>; 2] {
+    let (gap, force) = (pair.gap, Interval::exact(3.0 * enclosed.tension.abs()));
+    let pulled = match enclosed.tension == 0.0 {
+        true => Interval::ZERO,
+        false => force * Interval::exact(distance::anywhere(pair, enclosed.stiffness, enclosed.length)),
+    };
     let mut places: Vec<f64> = [0.0].into_iter().chain(enclosed.supports.iter().map(|s| s.x)).collect();
     places.extend(enclosed.said.iter().map(|said| said.x));
     places.push(enclosed.length);
@@ -42,7 +51,7 @@ pub(super) fn moments(enclosed: &EnclosedScene<'_>, sprung: &Sprung, gap: f64) -
     places.dedup();
     let begins_before = |x: f64| sprung.moments.partition_point(|(ends, _)| ends[0] < x);
     let brackets = places.windows(2).map(|bay| {
-        let error = number(2) * (number(2) * Interval::exact(gap) * size(enclosed, [bay[0], bay[1]])).sqrt();
+        let error = number(2) * (number(2) * Interval::exact(gap) * size(enclosed, [bay[0], bay[1]])).sqrt() + pulled;
         let inside = &sprung.moments[begins_before(bay[0])..begins_before(bay[1])];
         extremes(inside.iter().copied()).map(|of| of + Interval::around_zero(error.hi()))
     });
@@ -60,7 +69,7 @@ fn size(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2]) -> Interval {
     let width = Interval::length(from, to);
     let stands =
         |x: f64| enclosed.support(x).is_some() || enclosed.said.iter().any(|said| said.x.total_cmp(&x).is_eq());
-    let is_free = [from, to].map(|x| !stands(x));
+    let is_free = [from, to].map(|x| enclosed.tension == 0.0 && !stands(x));
     let best = (number(10) * stiffness / k).sqrt().sqrt();
     let room = if is_free == [false; 2] { best.lo().min((width / number(4)).lo()) } else { best.lo() };
     let w = Interval::exact(room);
@@ -69,7 +78,7 @@ fn size(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2]) -> Interval {
     let straight = match (is_free, supports) {
         ([true, true], _) => k * cube(width / number(2)) / number(3),
         ([true, false] | [false, true], _) => k * cube(width) / number(3),
-        (_, [a, b]) if !a.holds_slope() && !b.holds_slope() && enclosed.said.is_empty() => {
+        (_, [a, b]) if enclosed.tension == 0.0 && !a.holds_slope() && !b.holds_slope() && enclosed.said.is_empty() => {
             let overhangs = [Interval::length(0.0, a.x), Interval::length(b.x, length)].map(cube);
             k * (cube(width) / number(48) + (overhangs[0] + overhangs[1]) / number(3))
         }

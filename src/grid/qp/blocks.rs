@@ -218,8 +218,11 @@ pub(crate) fn factor_under_tension<R: AsMut<Block>>(
 ) {
     // `a` without `n`.
     let eliminate = |row: &mut Block, carried: Carried, theta: f64, between: Between, left: f64| {
+        if 0.0 < between.turning {
+            return row.eliminate(carried, theta, between);
+        }
         let [c, off, sigma] = between.entries;
-        let (b, e, n) = (carried.a + theta, carried.e, -sigma);
+        let (b, e, n) = (carried.a + theta, carried.e + row.eta, -sigma);
         row.pivot(Carried { a: b + n, ..carried }, 0.0, c);
         let bent = c * e + left;
         Carried {

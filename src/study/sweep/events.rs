@@ -109,7 +109,13 @@ impl Sweep<'_> {
         let (roots, until) = search.inside(rows);
         // All that is found is described, whatever work that takes.
         let taken = work - search.left.replace(u64::MAX);
-        (Events { events: search.described(roots), until }, taken)
+        let mut events = search.described(roots);
+        if rows.len() < self.values().len() {
+            events.extend(self.buckling());
+            let sign = (self.range[1] - self.range[0]).signum();
+            events.sort_by(|a, b| (sign * a.value).total_cmp(&(sign * b.value)));
+        }
+        (Events { events, until }, taken)
     }
 
     /// The values between rows at which contact begins or ends, with the foundation or with a bearing, in their order, each with its error; and

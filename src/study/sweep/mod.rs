@@ -29,6 +29,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod buckling;
 mod describe;
 mod envelope;
 mod events;
@@ -217,19 +218,22 @@ impl<'a> Sweep<'a> {
         Gathered::new(self)
     }
 
-    /// All rows.
+    /// All rows, or those before the beam buckles.
     ///
     /// # Errors
     ///
-    /// [`SweepError::Invalid`] at the first value without an answer. A row that is not certified is no error.
+    /// [`SweepError::Invalid`] at the first value without an answer, unless the beam buckles there and has an answer for a value before. A row
+    /// that is not certified is no error.
     pub fn rows(&self) -> Result<Vec<Row>, SweepError> {
-        let mut walk = self.walk();
-        self.values()
-            .map(|value| {
-                let step = walk.solve(value)?;
-                Ok(walk.row(step))
-            })
-            .collect()
+        let (mut walk, mut rows) = (self.walk(), Vec::new());
+        for value in self.values() {
+            match walk.solve(value) {
+                Ok(step) => rows.push(walk.row(step)),
+                Err(_) if !rows.is_empty() && self.buckles(value) => break,
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(rows)
     }
 
     /// The answer for a value, searched for from those of values nearby.

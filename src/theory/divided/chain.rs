@@ -140,7 +140,7 @@ impl Chain<'_> {
         let Rows { mut rows, right, at } = self.rows();
         let axial = self.parts[0].tense.map(|tense| tense.force);
         // Under an axial force towards a free end.
-        let meeting = if axial.is_some() && self.beyond[0].is_some() { 0 } else { rows.len() - 1 };
+        let meeting = if axial.is_some() && self.beyond[0].is_some() { at[0][1] } else { rows.len() - 1 };
         match axial {
             Some(_) => factor_under_tension(&mut rows, meeting, |row| row.theta, |row| row.left),
             None => factor(&mut rows, |row| row.theta),

@@ -30,9 +30,13 @@ impl List {
     /// What is beyond the outermost node on a side; of a beam without nodes all of it.
     fn outer(&self, given: &PiecewiseScene, at_left: bool) -> Option<Parts> {
         let Some(node) = (if at_left { self.nodes.first() } else { self.nodes.last() }) else {
-            return given.acting().next().map(|_| Parts::of(divided::on_springs(given, [None; 2], 0.0)));
+            return given.acting().next().map(|_| match given.tension == 0.0 {
+                true => Parts::of(divided::on_springs(given, [None; 2], 0.0)),
+                false => divided::parts(given, [true, false].map(|left| End::free_of(given, left)), 0.0),
+            });
         };
-        if given.spring_beyond(node.x, at_left).is_some() {
+        // Under an axial force what hangs over is a span as well, with its springs.
+        if given.tension == 0.0 && given.spring_beyond(node.x, at_left).is_some() {
             return Some(self.sprung(given, at_left));
         }
         let is_inside = if at_left { 0.0 < node.x } else { node.x < given.length };
@@ -73,7 +77,8 @@ impl List {
             })
         };
         if given.tension != 0.0 {
-            let (held, free) = (node.span_end(given, cell), End::free_of(given, at_left));
+            let (mut held, free) = (node.span_end(given, cell), End::free_of(given, at_left));
+            node.hinge(given, &mut held, !at_left);
             let (ends, joint) = if at_left { ([free, held], node.joint(given)) } else { ([held, free], 0.0) };
             return divided::parts(given, ends, joint);
         }

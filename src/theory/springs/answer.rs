@@ -58,6 +58,11 @@ impl Springs {
         self.parts.iter().filter(|part| part.pressed).flat_map(inside)
     }
 
+    /// The parts on which nothing presses.
+    pub(in crate::theory) fn hanging(&self) -> impl Iterator<Item = &Part> {
+        self.parts.iter().filter(|part| !part.pressed)
+    }
+
     /// The parts as a witness.
     pub(in crate::theory) fn stretches(&self) -> impl Iterator<Item = Stretch> + '_ {
         self.parts.iter().map(|part| {
@@ -267,6 +272,7 @@ fn giving(given: &PiecewiseScene, parts: &[Part], spring: &AtSpring, stiffness: 
     }
     let ([left, right], v) = (beside(parts, at.x), part_at(parts, at.x, false).beam(at.x)[0]);
     let size = left[3].abs() + right[3].abs() + at.force.abs();
+    let size = if given.tension == 0.0 { size } else { size + given.tension.abs() * left[1].abs().max(right[1].abs()) };
     let force = exerted(k, [v, level], force(given, parts, breakpoint), [v.abs(), size]);
     SupportForce {
         at: at.x,
@@ -313,16 +319,17 @@ pub(super) fn rule(given: &PiecewiseScene) -> Gauss {
     Gauss::exact_to((2 * given.terms).max(PRESSED_DEGREE))
 }
 
-/// `J / EI₀ = ∫ ½ e v''² + ½ K (v − g)₊² − q v dx − Σ P v − Σ C v' + ½ Σ w (e v'')²`, the last of joints.
+/// `J / EI₀ = ∫ ½ e v''² + ½ N v'² + ½ K (v − g)₊² − q v dx − Σ P v − Σ C v' + ½ Σ w (e v'')²`, the last of joints.
 fn energy(given: &PiecewiseScene, parts: &[Part], springs: f64) -> f64 {
     let rule = rule(given);
     let mut sum = 0.0;
     for part in parts {
         let Piece { lo, hi, cell, .. } = part.piece;
         sum += rule.integral(lo, hi, |x| {
-            let [v, _, bent, _] = part.beam(x);
+            let [v, turned, bent, _] = part.beam(x);
             let w = if part.pressed { part.sunk(x)[0] } else { 0.0 };
-            0.5 * (bent * bent / part.stiffness + springs * part.ground * w * w) - given.load(cell, x) * v
+            let pulled = if given.tension == 0.0 { 0.0 } else { given.tension * turned * turned };
+            0.5 * (bent * bent / part.stiffness + springs * part.ground * w * w + pulled) - given.load(cell, x) * v
         });
     }
     let joints =

@@ -110,9 +110,11 @@ fn wrong(held: &PiecewiseScene, parts: &[Part], presses: &[bool]) -> Vec<usize> 
     (0..presses.len()).filter(is_wrong).collect()
 }
 
-/// What holds the beam at a breakpoint, over `EI`: `v'''(x+) − v'''(x−) = P − R`.
+/// What holds the beam at a breakpoint, over `EI`: `v'''(x+) − v'''(x−) = P − R`, and under an axial force less `N [v']`, where the slope jumps.
 pub(super) fn force(given: &PiecewiseScene, parts: &[Part], breakpoint: usize) -> f64 {
     let at = &given.breakpoints[breakpoint];
-    let [left, right] = beside(parts, at.x).map(|derivatives| derivatives[3]);
-    at.force - (right - left)
+    let [before, behind] = beside(parts, at.x);
+    let force = at.force - (behind[3] - before[3]);
+    let turns = at.x <= 0.0 || given.length <= at.x || at.joint != 0.0;
+    if given.tension != 0.0 && turns { force + given.tension * (behind[1] - before[1]) } else { force }
 }

@@ -5,7 +5,7 @@
 use super::Part;
 use super::links::{Beam, Kind, Link};
 use super::solved::{Ends, Solved};
-use crate::qp::blocks::{Block, PENALTY, factor_towards, solve_towards};
+use crate::qp::blocks::{Block, PENALTY, factor_towards, factor_under_tension, solve_towards};
 use crate::theory::check::MOST;
 use crate::theory::divided;
 use crate::theory::overhang::Overhang;
@@ -26,6 +26,8 @@ struct Row {
     spring: [f64; 2],
     /// Of a spring against turning its stiffness, `h'` without moment, and at an end of the chain `M` beyond it.
     turning: Option<[f64; 3]>,
+    /// Of the link to its right what pulls at it, as a string.
+    pull: f64,
 }
 
 impl AsMut<Block> for Row {
@@ -78,12 +80,23 @@ impl<'a> Beam<'a> {
         }
         // Beside a hinge elimination must not begin where the beam could move without the rest.
         let hinge = (lo + 1..hi).rev().find(|i| self.joint(*i).is_infinite()).filter(|_| rows.len() == places.len());
-        let meeting = hinge.map_or(rows.len() - 1, |i| places[i - lo]);
-        factor_towards(&mut rows, meeting, |row| row.theta);
+        // Under an axial force towards a free end.
+        let hangs = self.given.tension != 0.0 && self.links[lo].kind == Kind::Span && !self.is_supported(lo);
+        let last = if hangs { 0 } else { rows.len() - 1 };
+        let meeting = hinge.map_or(last, |i| places[i - lo]);
+        let tension = self.given.tension;
+        if tension == 0.0 {
+            factor_towards(&mut rows, meeting, |row| row.theta);
+        } else {
+            let left = |Row { block: Block { c, off, .. }, pull, .. }: &Row| c * c - pull * off;
+            factor_under_tension(&mut rows, meeting, |row| row.theta, left);
+        }
         solve_towards(&mut rows, meeting, |row| row.right);
         // What nothing holds but rounding moves by any amount.
         let moves = |row: &Row| row.block.step.iter().any(|value| MOST < value.abs());
-        if rows.iter().any(|row| row.block.failed().is_some() || hinge.is_some() && moves(row)) {
+        // Under compression a part beside a free end has a negative pivot, which others make up for.
+        let failed = |row: &Row| row.block.failed().is_some() && (0.0 <= tension || !row.block.is_finite());
+        if rows.iter().any(|row| failed(row) || hinge.is_some() && moves(row)) {
             return None;
         }
         let at = |row: &Row| [0, 2].map(|j| row.known[j].unwrap_or(row.block.step[j / 2]));
@@ -136,7 +149,7 @@ impl<'a> Beam<'a> {
         let (left, right) = ((lo < i).then(|| &self.links[i - 1]), (i < hi).then(|| &self.links[i]));
         let turned = |of: fn(&Link) -> f64| left.filter(|_| !is_turning).map_or(0.0, of) + right.map_or(0.0, of);
         let sum = |of: fn(&Link) -> f64| left.map_or(0.0, of) + right.map_or(0.0, of);
-        let [c, off, sigma] = right.map_or([0.0; 3], |link| [link.c, link.off, link.sigma]);
+        let [c, off, sigma, pull] = right.map_or([0.0; 4], |link| [link.c, link.off, link.sigma, link.pull]);
         let joint = if lo < i && i < hi { self.joint(i) } else { 0.0 };
         let mut w = turned(|link| link.w) + if joint.is_finite() { joint } else { PENALTY };
         let (mut theta, [force, couple]) = (sum(|link| link.a), self.acts(i));
@@ -180,8 +193,9 @@ impl<'a> Beam<'a> {
             known[0] = Some(depth - support.level);
             (theta, pushed) = (PENALTY, PENALTY * (depth - support.level));
         }
+        let sigma = if pull == 0.0 { sigma } else { sigma - pull };
         let block = Block::new(c, w, off).on_springs(sigma, turned(|link| link.eta));
-        Row { block, theta, right: [pushed, bend], known, beyond, spring, turning }
+        Row { block, theta, right: [pushed, bend], known, beyond, spring, turning, pull }
     }
 
     /// Over a short link the shear force, the difference of two moments over its length, has few digits: it is what comes from a longer
@@ -256,7 +270,9 @@ impl<'a> Beam<'a> {
 
     fn solved(self) -> Option<Solved<'a>> {
         let n = self.links.len();
-        let hangs = [0, n].map(|i| self.links[i.min(n - 1)].kind == Kind::Span && !self.is_supported(i));
+        // Under an axial force what hangs over is a part of the chain.
+        let is_slack = self.given.tension == 0.0;
+        let hangs = [0, n].map(|i| is_slack && self.links[i.min(n - 1)].kind == Kind::Span && !self.is_supported(i));
         let (lo, hi) = (usize::from(hangs[0]), n.checked_sub(usize::from(hangs[1]))?);
         if hi < lo || lo == hi && self.built_in(lo).is_none() && self.turning(lo).is_none() {
             return None;
@@ -284,7 +300,7 @@ impl<'a> Beam<'a> {
         let link = &self.links[i];
         let [at, beam] = [0, 1].map(|which| {
             [0, 1].map(|side| {
-                let ([h, h1, m, v], [depth, slope]) = (ends[side], link.base[side]);
+                let ([h, h1, m, v], [depth, slope]) = (self.sheared(ends[side]), link.base[side]);
                 let ([more, turn], [_, _, g2, g3]) = (self.below(i, side), self.profile(link, side));
                 if which == 0 { [h + more, h1 + turn, g2 + m, g3 + v] } else { [depth - h, slope - h1, -m, -v] }
             })

@@ -37,7 +37,7 @@ impl Exact {
         scene: &Scene,
         asked: Vec<Asked>,
     ) -> Vec<Derivative> {
-        if !self.given.is_firm() {
+        if !self.given.is_firm() || self.given.tension != 0.0 {
             return Vec::new();
         }
         let ties = self.has_ties(scene);

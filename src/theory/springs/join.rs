@@ -38,8 +38,15 @@ impl Beam<'_> {
         if let [_, ..] = given.divisions_between(from, to) {
             let holds = |i: usize| given.support_at(i).is_some() || given.spring_at(i).is_some();
             let is_held = |end: f64| given.breakpoint_at(end).is_some_and(holds);
-            let left = if from <= 0.0 && !is_held(0.0) { supports.first().copied().unwrap_or(to) } else { from };
-            let right = if given.length <= to && !is_held(to) { supports.last().copied().unwrap_or(from) } else { to };
+            // Under an axial force what hangs over is no statics.
+            let is_slack = given.tension == 0.0;
+            let left =
+                if is_slack && from <= 0.0 && !is_held(0.0) { supports.first().copied().unwrap_or(to) } else { from };
+            let right = if is_slack && given.length <= to && !is_held(to) {
+                supports.last().copied().unwrap_or(from)
+            } else {
+                to
+            };
             let changes = given.divisions_between(left, right).iter().map(|&i| x(i));
             inside.extend(changes.filter(|change| !supports.contains(change)));
             inside.sort_by(f64::total_cmp);

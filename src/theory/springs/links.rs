@@ -19,8 +19,9 @@
 //! deep in a zone    0      λ    1/2λe   0       2λ³e   0
 //! ```
 //!
-//! In a joint of the flexibility `w_j` the slope `h'` grows by `w_j M`; in a hinge `M = 0`.
+//! In a joint of the flexibility `w_j` the slope `h'` grows by `w_j M`; in a hinge `M = 0`. Under an axial force more is in `pulled`.
 
+use super::pulled::following_under_tension;
 use crate::theory::piece::derivatives;
 use crate::theory::piecewise::{AtSpring, AtSupport, Cell, PiecewiseScene};
 use crate::theory::span::{End, EndCondition, fixed_end_of_load};
@@ -57,6 +58,8 @@ pub(super) struct Link {
     pub(super) off: f64,
     pub(super) a: f64,
     pub(super) sigma: f64,
+    /// `n`, of a string.
+    pub(super) pull: f64,
     /// `h'` and `V` at its two ends where `h` and `M` are zero.
     pub(super) own: [[f64; 2]; 2],
 }
@@ -64,8 +67,8 @@ pub(super) struct Link {
 impl Link {
     pub(super) fn new([lo, hi]: [f64; 2], cell: usize, kind: Kind) -> Self {
         let (base, own) = ([[0.0; 2]; 2], [[0.0; 2]; 2]);
-        let [c, eta, w, off, a, sigma] = [0.0; 6];
-        Self { lo, hi, cells: [cell; 2], kind, drive: Vec::new(), base, c, eta, w, off, a, sigma, own }
+        let [c, eta, w, off, a, sigma, pull] = [0.0; 7];
+        Self { lo, hi, cells: [cell; 2], kind, drive: Vec::new(), base, c, eta, w, off, a, sigma, pull, own }
     }
 
     /// An end of one that hangs, with `h` there and `v`.
@@ -82,8 +85,9 @@ impl Link {
 
     /// The same without its loads.
     pub(super) fn bent(&self, c: f64, [h, k]: [f64; 2], [m, n]: [f64; 2]) -> [[f64; 2]; 2] {
-        let Self { eta, w, off, a, sigma, .. } = *self;
+        let Self { eta, w, off, a, sigma, pull, .. } = *self;
         let (chord, rise) = (c * (k - h), c * (n - m));
+        let rise = if pull == 0.0 { rise } else { rise + pull * (h - k) };
         [
             [chord - eta * h - w * m - off * n, rise + a * h + sigma * k - eta * m],
             [chord + eta * k + off * m + w * n, rise - sigma * h - a * k + eta * n],
@@ -115,10 +119,16 @@ impl Beam<'_> {
         }
     }
 
-    /// By what `V` and `M` jump at node `i`, but for what a support does.
+    /// By what `V` and `M` jump at node `i`, but for what a support does; under an axial force `T` by the slope besides from which `h'` counts.
     pub(super) fn acts(&self, i: usize) -> [f64; 2] {
         let at = self.breakpoint(i).map(|breakpoint| self.given.breakpoints[breakpoint]);
-        at.map_or([0.0; 2], |at| [-at.force, -at.couple])
+        let [force, couple] = at.map_or([0.0; 2], |at| [-at.force, -at.couple]);
+        if self.given.tension == 0.0 {
+            return [force, couple];
+        }
+        let slope =
+            |i: Option<usize>, side: usize| i.and_then(|i| self.links.get(i)).map_or(0.0, |of| of.base[side][1]);
+        [force - self.given.tension * (slope(Some(i), 0) - slope(i.checked_sub(1), 1)), couple]
     }
 
     /// The flexibility of a joint at node `i`, zero where there is none.
@@ -228,11 +238,28 @@ impl Beam<'_> {
         self.links[i].base = [self.base(i, 0), self.base(i, 1)];
         let link = &self.links[i];
         let measured = match link.kind {
+            Kind::Span if self.given.tension != 0.0 => self.span_under_tension(i),
             Kind::Span => self.span(i),
+            Kind::Pressed if self.given.tension != 0.0 => self.pressed_under_tension(link),
             Kind::Pressed => self.pressed(link),
             Kind::Deep => self.deep(link),
         };
         self.links[i] = measured;
+    }
+
+    /// By how much the profile from which `h` counts turns from its slope at the left end of a link to its chord, and from there to its
+    /// slope at the right end.
+    pub(super) fn turned(&self, i: usize) -> [f64; 2] {
+        let (link, l) = (&self.links[i], self.links[i].hi - self.links[i].lo);
+        let [left, right] =
+            [0, 1].map(|side| Some(&self.given.shapes[self.given.cells[self.base_cell(i, side)?].shape]));
+        let [[depth, slope], [next, last]] = link.base;
+        match left.zip(right).filter(|(left, right)| left == right) {
+            Some((shape, _)) if shape.is_one_series_over(l) => {
+                [shape.bow(link.lo, l, false), shape.bow(link.hi, -l, false)]
+            }
+            _ => [(next - depth) / l - slope, last - (next - depth) / l],
+        }
     }
 
     fn span(&self, i: usize) -> Link {
@@ -240,15 +267,7 @@ impl Beam<'_> {
         let ([from, to], l) = ([0, 1].map(|side| link.end(side, 0.0, 0.0)), link.hi - link.lo);
         let ([g, k], [r, s]) = fixed_end_of_load(self.given, &from, &to);
         let flex = l / self.given.cells[link.cells[0]].stiffness;
-        let [left, right] =
-            [0, 1].map(|side| Some(&self.given.shapes[self.given.cells[self.base_cell(i, side)?].shape]));
-        let [[depth, slope], [next, last]] = link.base;
-        let [turn_a, turn_b] = match left.zip(right).filter(|(left, right)| left == right) {
-            Some((shape, _)) if shape.is_one_series_over(l) => {
-                [shape.bow(link.lo, l, false), shape.bow(link.hi, -l, false)]
-            }
-            _ => [(next - depth) / l - slope, last - (next - depth) / l],
-        };
+        let [turn_a, turn_b] = self.turned(i);
         let own = [[-turn_a - flex * (g / 3.0 + k / 6.0), r], [turn_b + flex * (g / 6.0 + k / 3.0), -s]];
         Link { c: 1.0 / l, w: flex / 3.0, off: flex / 6.0, own, ..link.clone() }
     }
@@ -290,10 +309,14 @@ impl Beam<'_> {
     fn deep(&self, link: &Link) -> Link {
         let (_, l) = self.rates(link.cells[0]);
         let e = self.given.cells[link.cells[0]].stiffness;
-        let (eta, w, a) = (l, 0.5 / l / e, e * (2.0 * l * l * l));
+        let (eta, w, a) = match self.given.tension / e {
+            0.0 => (l, 0.5 / l / e, e * (2.0 * l * l * l)),
+            pull => Self::deep_under_tension(pull, l, e),
+        };
         let [h, v] = self.following(link).map(|taylor| [0.0, link.hi - link.lo].map(|s| derivatives(&taylor, s)));
         let own = |i: usize, sign: f64| {
             let ([h, h1, ..], [_, _, m, n]) = (h[i], v[i].map(|c| -c * e));
+            let n = self.vertical([h, h1, m, n])[3];
             [h1 + sign * (eta * h + w * m), n - sign * (a * h - eta * m)]
         };
         Link { eta, w, a, own: [own(0, 1.0), own(1, -1.0)], ..link.clone() }
@@ -315,8 +338,11 @@ impl Beam<'_> {
         (clear[0], clear[1]) = (h, h1);
         (clear[2], clear[3]) = (clear[2] + bend, clear[3] + third);
         let load = [self.given.load(cell, link.lo), self.given.cells[cell].load_slope];
+        let pull = self.given.tension / e;
         for n in 0..terms - 4 {
             let drive = (load.get(n).unwrap_or(&0.0) + link.drive.get(n).unwrap_or(&0.0)) / e + springs * clear[n];
+            let pulled = || pull * ((n + 1) * (n + 2)) as f64 * deflection[n + 2];
+            let drive = if pull == 0.0 { drive } else { drive + pulled() };
             deflection[n + 4] = drive / ((n + 1) * (n + 2) * (n + 3) * (n + 4)) as f64;
             clear[n + 4] -= deflection[n + 4];
         }
@@ -335,6 +361,10 @@ impl Beam<'_> {
         drive[0] -= self.given.load(cell, link.lo) / e;
         drive[1] -= self.given.cells[cell].load_slope / e;
         let (mut clear, mut unit) = (vec![0.0; size], 1.0 / springs);
+        if self.given.tension != 0.0 {
+            clear = following_under_tension(drive, &profile, [self.given.tension / e, springs]);
+            drive = Vec::new();
+        }
         while !drive.is_empty() {
             clear.iter_mut().zip(&drive).for_each(|(sum, c)| *sum += unit * c);
             drive = fourth(&drive);
@@ -347,7 +377,7 @@ impl Beam<'_> {
 
 /// The fourth derivative.
 #[expect(clippy::cast_precision_loss, reason = "an order is a small number")]
-fn fourth(taylor: &[f64]) -> Vec<f64> {
+pub(super) fn fourth(taylor: &[f64]) -> Vec<f64> {
     let factor = |n: usize| ((n + 1) * (n + 2) * (n + 3) * (n + 4)) as f64;
     taylor.iter().skip(4).enumerate().map(|(n, c)| c * factor(n)).collect()
 }

@@ -18,6 +18,7 @@ mod change;
 mod coarse;
 mod join;
 mod links;
+mod pulled;
 mod search;
 mod solved;
 

@@ -42,7 +42,7 @@ impl Solved<'_> {
         let Some(ends) = ends else { return Some(Course::Hangs(Parts::of(self.overhangs[1].clone()))) };
         Some(match link.kind {
             Kind::Span => Course::Hangs(Parts::one(self.beam.between(i, ends))),
-            Kind::Pressed => Course::Pressed(self.beam.taylor(link, ends[0])),
+            Kind::Pressed => Course::Pressed(self.beam.taylor(link, self.beam.sheared(ends[0]))),
             Kind::Deep => Course::Pressed(self.beam.following(link)),
         })
     }

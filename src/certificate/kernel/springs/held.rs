@@ -69,7 +69,10 @@ impl OnSprings<'_> {
         };
         let cost = |place: &Datum| carrier(place).map_or(Interval::ZERO, |carrier| share * carrier.cost);
         let changed = lines.iter().fold(Interval::ZERO, |sum, Line(a, b)| sum + cost(a) + cost(b));
-        let gap = ((sums.square.sqrt() + moment + sums.pull.sqrt() + changed).square() / number(2)).hi();
+        let gap = (sums.square.sqrt() + moment + sums.pull.sqrt() + changed).square() / number(2);
+        let steady = Interval::exact(enclosed.steadiness());
+        (0.0 < steady.lo()).then_some(())?;
+        let gap = if steady == number(1) { gap.hi() } else { (gap / steady.square()).hi() };
         let known = |place: &Datum| {
             let Some(Carrier { sunk, stiffness, .. }) = carrier(place) else {
                 // One that only pushes is pressed, and so a spring.

@@ -140,7 +140,8 @@ impl OnSprings<'_> {
                 self.sheared[node] = Some(both);
             }
             let side = usize::from(!to_the_right);
-            let moment = if to_the_right { moments[i][1] + walk.rise } else { moments[i + 1][0] - walk.rise };
+            let rise = walk.rise - self.pulled(i);
+            let moment = if to_the_right { moments[i][1] + rise } else { moments[i + 1][0] - rise };
             // A beam that is built in there may have another moment on the other side.
             if is_built_in(self, node) {
                 moments[node][side] = moment;

@@ -1,0 +1,30 @@
+//! Where a sweep comes to the compression at which the beam buckles.
+
+use super::events::Event;
+use super::{Sweep, last};
+use crate::scene::{SceneError, Unstable};
+
+impl Sweep<'_> {
+    /// Whether there is no answer for a value because the beam buckles.
+    pub(super) fn buckles(&self, value: f64) -> bool {
+        let unstable = |error| matches!(error, SceneError::Unstable(Unstable::Buckles { .. }));
+        self.scene(value).and_then(|scene| scene.scaled()).err().is_some_and(unstable)
+    }
+
+    /// The events at which it begins to buckle or ceases to, between values of which the one bears its compression.
+    pub(super) fn buckling(&self) -> Vec<Event> {
+        let bears = |value: f64| self.scene(value).and_then(|scene| scene.scaled()).is_ok();
+        let values: Vec<f64> = self.values().collect();
+        let between = |two: &[f64]| {
+            let (with, without, what) = match [0, 1].map(|i| bears(two[i])) {
+                [true, false] => (two[0], two[1], "the beam buckles"),
+                [false, true] => (two[1], two[0], "the beam no longer buckles"),
+                _ => return None,
+            };
+            self.buckles(without).then_some(())?;
+            let (value, ()) = last((with, ()), without, u32::MAX, |_, _| false, |value, ()| bears(value).then_some(()));
+            Some(Event { value, what: what.to_owned(), uncertainty: 0.0 })
+        };
+        values.windows(2).filter_map(between).collect()
+    }
+}
