@@ -147,8 +147,6 @@ impl ContactNode {
     }
 }
 
-/// A slope that is off by less, as a share, is off by rounding.
-const ROUNDING: f64 = 1e-12;
 /// How far slopes at corners stay inside what is allowed, as a share: just enough for rounding.
 const INSIDE: f64 = 1e-14;
 
@@ -164,7 +162,6 @@ fn find_slopes(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
         && let Slope::Free(slope) = &mut node.slope
     {
         *slope = turn(enclosed, node.x);
-        along_level_ground(enclosed, nodes);
         return;
     }
     if enclosed.tension == 0.0 {
@@ -172,7 +169,6 @@ fn find_slopes(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
     } else {
         as_given(enclosed, nodes);
     }
-    along_level_ground(enclosed, nodes);
     at_corners(enclosed, nodes);
 }
 
@@ -325,18 +321,6 @@ fn at_corners(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
         let least = before.filter(|_| 0.0 < node.x).map_or(f64::NEG_INFINITY, |b| b + margin(b));
         let most = after.filter(|_| node.x < enclosed.length).map_or(f64::INFINITY, |a| a - margin(a));
         *slope = if least <= most { slope.max(least).min(most) } else { 0.5 * (least + most) };
-    }
-}
-
-/// Where the slope at a support is that of the level ground beside it but for rounding, the beam follows the ground: of no other
-/// can be proven that it is clear of it.
-fn along_level_ground(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
-    for node in nodes {
-        let Slope::Free(slope) = node.slope else { continue };
-        let follows = |below: f64| (below - slope).abs() <= ROUNDING * (slope.abs() + below.abs());
-        if let Some(side) = level_slopes(enclosed, node.x).iter().position(|below| below.is_some_and(follows)) {
-            node.slope = Slope::OfGround { from_the_left: side == 0 };
-        }
     }
 }
 

@@ -207,36 +207,6 @@ impl Normal<'_> {
     }
 }
 
-/// The list with zones that reach the free ends next to which they begin, if the ground is not bent there but for rounding; [`None`]
-/// if there are none. Between such a zone and its end nothing can be told.
-pub(super) fn reaching_free_ends(given: &PiecewiseScene, list: &List) -> Option<List> {
-    let tip = |end: &Node, zone: &Node| {
-        let [bend, rate] = [2, 3].map(|order| given.derivative(zone.cell, end.x, order).abs());
-        let straight = bend <= STRAIGHT * STRAIGHT * given.length * rate;
-        let beside = zone.is_of_zone() && (zone.x - end.x).abs() <= STRAIGHT * given.length;
-        let free =
-            end.is_ground(given) && end.couple(given) == 0.0 && end.breakpoint.is_some_and(|i| given.is_free_end(i));
-        (free && straight && beside).then(|| Node::tip(given, end.x <= 0.0))
-    };
-    let mut nodes = list.nodes.clone();
-    if let [end, zone, ..] = &list.nodes[..]
-        && let Some(tip) = tip(end, zone)
-    {
-        nodes.splice(..2, [tip]);
-    }
-    if let [.., zone, end] = &list.nodes[..]
-        && let Some(tip) = tip(end, zone)
-    {
-        nodes.truncate(nodes.len() - 2);
-        nodes.push(tip);
-    }
-    (nodes.len() < list.nodes.len()).then_some(List { nodes })
-}
-
-/// The bend of the ground at a free end is rounding if it is this squared of the change that its rate makes over the length of the
-/// beam, and lifts a beam off within this share of the length: a hundred units in the last place, as that of a cosine's phase.
-const STRAIGHT: f64 = 1e-7;
-
 /// A node on an edge of the profile, with the mean of the slopes on its two sides to start from.
 pub(super) fn edge_node(given: &PiecewiseScene, breakpoint: usize) -> Node {
     let x = given.breakpoints[breakpoint].x;

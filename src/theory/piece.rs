@@ -162,27 +162,7 @@ impl Piece {
         let e = self.stiffness(given);
         let bent = |[v, v1, v2, v3]: [f64; 4]| [v, v1, v2 * e, v3 * e];
         let beam = bent(derivatives(&taylor, x - self.anchor));
-        let clearance = (k <= NEAR && given.is_straight(cell) && given.is_straight(self.cell)).then(|| {
-            let [h, h1, h2, h3] = state.clearance;
-            let clearance = [h, h1, h2 / 2.0 / e, h3 / 6.0 / e, -taylor[4], -taylor[5]];
-            let mut clearance = bent(derivatives(&clearance, x - self.anchor));
-            let slope = |cell: usize| given.derivative(cell, x, 1);
-            let mut size = slope(self.cell).abs() * (x - self.anchor).abs();
-            let sign = if right { 1.0 } else { -1.0 };
-            for j in 1..=k {
-                let breakpoint = &given.breakpoints[at(j)];
-                let distance = (x - breakpoint.x).abs();
-                clearance[0] += sign * breakpoint.step + breakpoint.kink * distance;
-                clearance[1] += sign * breakpoint.kink;
-                size += breakpoint.step.abs() + 2.0 * slope(self.nth(j)).abs() * distance;
-            }
-            (clearance, size)
-        });
-        // Along cliffs the kinks are known no better than their heights.
-        match clearance.filter(|(_, size)| size.abs() < given.breakpoints[at(k)].depth.abs()) {
-            Some((clearance, _)) => State { beam, clearance },
-            None => State { beam, clearance: difference(&given.derivatives(cell, x), &beam) },
-        }
+        State { beam, clearance: difference(&given.derivatives(cell, x), &beam) }
     }
 
     /// What is known behind its far end, where a force may act.

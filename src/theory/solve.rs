@@ -1,14 +1,12 @@
 //! The entrance: a scene in its own units to its exact solution.
 
 use super::breakpoints::MOST_CELLS;
-use super::check::check;
 use super::exact::Exact;
 use super::giving;
 use super::neutral;
-use super::normal;
 use super::piecewise::PiecewiseScene;
 use super::room::{self, MEMORY};
-use super::search::{Candidate, search};
+use super::search::search;
 use super::springs;
 use crate::scene::axial::LONGEST;
 use crate::scene::{Balance, Foundation, Profile, Scene, SceneError};
@@ -130,16 +128,8 @@ pub fn solve_near(scene: &Scene, near: &[&Exact]) -> Result<Exact, TheoryError> 
         }
         slopes = None;
         let near = near.iter().filter_map(|near| near.list_in(given, &scaled.scale));
-        let found = search(given, list.cloned().into_iter().chain(near))?;
-        Ok(reaching_free_ends(given, found))
+        search(given, list.cloned().into_iter().chain(near))
     })?;
     let exact = Exact::new(given, found, scaled.scale, stiffness);
     Ok(exact.balanced(scaled.balance.in_units_of(&scaled.scale), slopes))
-}
-
-/// An answer with zones that end next to a free end, as one whose zones reach it, if all conditions hold for that as well.
-fn reaching_free_ends(given: &PiecewiseScene, found: Candidate) -> Candidate {
-    let Some(list) = normal::reaching_free_ends(given, &found.list).filter(|_| found.solved()) else { return found };
-    let reached = Candidate { checked: check(given, &list), list, ..found };
-    if reached.solved() { reached } else { found }
 }
