@@ -151,7 +151,8 @@ pub(super) fn cubics<'a>(
     let turns = move |x: f64| {
         let at = |s: &&EnclosedSupport| s.x.total_cmp(&x).is_eq();
         let held = supports.iter().find(at).and_then(|s| s.gives);
-        held.is_some_and(|gives| gives.turning.is_some()) || enclosed.said.iter().any(|s| s.x.total_cmp(&x).is_eq() && s.gives.turning.is_some())
+        held.is_some_and(|gives| gives.turning.is_some())
+            || enclosed.said.iter().any(|s| s.x.total_cmp(&x).is_eq() && s.gives.turning.is_some())
     };
     let beyond = |near: Option<&[f64; 3]>, next: Option<&[f64; 3]>, x: f64| {
         let ([a, _, m], [b, _, n]) = (near?, next?);

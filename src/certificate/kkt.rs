@@ -3,9 +3,10 @@
 //! The forces on the beam are taken from the state, those of the supports among them. Summed up they are moments, and these summed
 //! up deflections, which are compared with those of the state: no system is solved.
 
-use std::collections::BTreeMap;
+mod giving;
 
-use super::summed::{BATCH, Change, Summed, Walked};
+use self::giving::{Slope, changes, slopes};
+use super::summed::{BATCH, Summed, Walked};
 use crate::scene::{Grid, Held, Scene, Spring, is_same_place};
 use crate::state::{ContactState, Nodes, Reactions, SupportForce};
 
@@ -174,22 +175,6 @@ struct RecordedSupport {
     recorded: SupportForce,
 }
 
-/// The slope that a support holds, stiffly or by a spring of a stiffness, with the couple that it exerts in the state.
-#[derive(Debug, Clone, Copy)]
-struct Slope {
-    node: usize,
-    held: f64,
-    stiffness: f64,
-    couple: f64,
-}
-
-impl Slope {
-    /// The slope that the beam has there.
-    fn turned(&self) -> f64 {
-        self.held - self.couple / self.stiffness
-    }
-}
-
 impl RecordedSupport {
     /// How far a deflection is off what it prescribes, and its moment in the state off one beside it and beyond a jump.
     fn off(&self, deflection: f64, moment: f64, jump: f64) -> [f64; 2] {
@@ -329,35 +314,6 @@ impl<'a> Recorded<'a> {
         known
     }
 
-    /// What springs are off: how far one that only pushes lies above its foot, pulls, and presses where it is clear of that; and how far any
-    /// is off its law, by its force or by its deflection, whichever is less.
-    fn of_springs(&self, [force, depth]: [f64; 2]) -> [f64; 4] {
-        let of = |(node, spring, recorded): &(usize, Spring, SupportForce)| {
-            let v = node.checked_sub(self.first).and_then(|i| self.nodes.deflection.get(i)).copied().unwrap_or(f64::NAN);
-            let (pressed, r) = (v - spring.deflection, recorded.force);
-            let misfit = |pressed: f64| {
-                let off = spring.stiffness * pressed - r;
-                smaller_share(off / spring.stiffness / depth, off / force)
-            };
-            if spring.pushes_only {
-                let foot = r / spring.stiffness - pressed;
-                return [-foot / depth, -r / force, (foot / depth).min(r / force), misfit(pressed.max(0.0))];
-            }
-            [0.0, 0.0, 0.0, misfit(pressed)]
-        };
-        largest_each([0.0; 4], self.springs.iter().map(of))
-    }
-
-    /// How far slopes that supports hold are off, by the slope or by the couple.
-    fn turned(&self, tangents: &[f64], [force, depth]: [f64; 2], length: f64) -> f64 {
-        let of = |(slope, tangent): (&Slope, &f64)| {
-            let off = tangent - slope.turned();
-            let as_couple = if slope.stiffness.is_finite() { slope.stiffness * off } else { f64::INFINITY };
-            smaller_share(off * length / depth, as_couple / (force * length))
-        };
-        largest(self.slopes.iter().zip(tangents).map(of))
-    }
-
     /// `P` and `D`, by which forces and lengths are measured.
     fn sizes(&self, scene: &Scene) -> [f64; 2] {
         let (length, stiffness) = (scene.beam().length(), scene.beam().bending_stiffness());
@@ -371,41 +327,6 @@ impl<'a> Recorded<'a> {
         // Of the state alone: ground that the beam does not reach, however deep, must not loosen the measure.
         [force, nonzero(deepest.max(idle).max(least_deflection(force, length, stiffness)))]
     }
-}
-
-/// The slopes that supports hold, from left to right.
-fn slopes(supports: &[RecordedSupport], springs: &[(usize, Spring, SupportForce)]) -> Vec<Slope> {
-    let slope = |node: usize, held: Option<f64>, turning: Option<[f64; 2]>, couple: f64| {
-        let stiff = || held.map(|held| [f64::INFINITY, held]);
-        turning.or_else(stiff).map(|[stiffness, held]| Slope { node, held, stiffness, couple })
-    };
-    let held = supports.iter().filter_map(|s| slope(s.node, s.held.slope, s.held.turning, s.recorded.couple));
-    let sprung = springs.iter().filter_map(|(node, s, recorded)| slope(*node, None, s.turning, recorded.couple));
-    let mut all: Vec<Slope> = held.chain(sprung).collect();
-    all.sort_by_key(|slope| slope.node);
-    all
-}
-
-/// Where the beam changes or a support holds its slope, from left to right; [`None`] where that is between two nodes.
-fn changes(scene: &Scene, grid: &Grid, slopes: &[Slope]) -> Option<Vec<Change>> {
-    let beam = scene.beam();
-    let mut all: BTreeMap<usize, Change> = BTreeMap::new();
-    for slope in slopes {
-        all.entry(slope.node).or_default().couple = Some(slope.couple);
-    }
-    for [x, stiffness] in beam.steps().iter().filter(|_| beam.changes().next().is_some()) {
-        all.entry(grid.node_at(*x)?).or_default().soft = Some(beam.bending_stiffness() / stiffness);
-    }
-    for joint in beam.joints() {
-        all.entry(grid.node_at(joint.at)?).or_default().joint = joint.stiffness.map_or(f64::INFINITY, |k| 1.0 / k);
-    }
-    Some(all.into_iter().map(|(node, change)| Change { node, ..change }).collect())
-}
-
-/// The same misfit as two shares, of which the one in the better unit is less; not a number is kept.
-fn smaller_share(as_length: f64, as_force: f64) -> f64 {
-    let [length, force] = [as_length, as_force].map(f64::abs);
-    if length.is_nan() || length < force { length } else { force }
 }
 
 /// The largest of some numbers, at least 0; infinite if one of them is NaN.

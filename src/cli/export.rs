@@ -54,7 +54,9 @@ pub(super) fn export<'a>(
             true if is_stop => format!("force{of} at x = {place:?}"),
             true => format!("contact force at x = {place:?}"),
             // What the program has as clearance is that of a spring that is not pressed.
-            false if is_stop => format!("clearance of the beam above the support at x = {place:?} plus {give:?} times its force"),
+            false if is_stop => {
+                format!("clearance of the beam above the support at x = {place:?} plus {give:?} times its force")
+            }
             false if 0.0 < give => {
                 format!("clearance of the beam at x = {place:?} plus {give:?} times the contact force there")
             }

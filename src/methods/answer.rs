@@ -50,7 +50,8 @@ impl Nodal {
         }
         let by_statics = |forces: &[f64]| program::deflection(discrete, forces, discretisation);
         let size = DEEP * discrete.sizes().x;
-        let by_statics = (discrete.is_held() && discrete.depths.iter().any(|&u| size < u)).then(|| by_statics(&contact_force));
+        let by_statics =
+            (discrete.is_held() && discrete.depths.iter().any(|&u| size < u)).then(|| by_statics(&contact_force));
         clearance.truncate(discrete.nodes().len());
         let stop_force = contact_force.split_off(discrete.nodes().len());
         // From the foot of a spring to the beam.
@@ -296,7 +297,7 @@ fn pressure(discrete: &Discrete, nodal: &Nodal) -> Option<Pressure> {
         let share = discrete.give(node) / discrete.whole_give(discrete.stiffest_beside(node));
         Pressure { max: share * p / discrete.spacing, at: discrete.grid.place(node) }
     };
-    let grounded = discrete.nodes().zip(&nodal.contact_force).filter(|(node, _)| !discrete.is_open_at(*node));
+    let grounded = discrete.nodes().zip(&nodal.contact_force).filter(|(node, _)| discrete.give(*node).is_finite());
     let all = grounded.map(at);
     all.filter(|_| discrete.gives()).max_by(|a, b| a.max.total_cmp(&b.max))
 }

@@ -80,7 +80,6 @@ impl Discrete {
     }
 
     fn unmeasured(scene: &Scene, intervals: usize, coarse: bool) -> Result<Self, SceneError> {
-        scene.is_grounded_throughout("a method on a grid")?;
         scene.has_no_tension("a method on a grid")?;
         let grid = Grid::uniform(scene, intervals)?;
         let supports = Supports::on(&grid, scene)?;

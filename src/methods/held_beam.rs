@@ -162,7 +162,8 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
                 Err(_) => self.discrete.gap(stop.node) - clearance[i],
             };
             let open = stop.deflection - v;
-            let rounding = (NEAR_ZERO * self.discrete.sizes().x).min(UNITS * f64::EPSILON * (stop.deflection.abs() + v.abs()));
+            let rounding =
+                (NEAR_ZERO * self.discrete.sizes().x).min(UNITS * f64::EPSILON * (stop.deflection.abs() + v.abs()));
             [0.0, if open < 0.0 && -open <= rounding { 0.0 } else { open }]
         };
         let all: Vec<[f64; 2]> = stops.iter().map(of).collect();

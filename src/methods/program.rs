@@ -74,7 +74,7 @@ impl Qp for Program<'_> {
 
     fn sparse(&self) -> Option<SparseForm> {
         // Of a few places in clearances the matrix is the better form: nothing has to be eliminated.
-        if self.discrete.has_open_nodes() && !self.method.is_free_in_contact() {
+        if self.discrete.has_open_nodes() && !self.discrete.gives() && !self.method.is_free_in_contact() {
             return Some(SparseForm::of_matrix(self));
         }
         let form = if self.method.is_free_in_contact() { sparse::complementary } else { sparse::potential };
@@ -88,12 +88,16 @@ impl Qp for Program<'_> {
         if self.method.is_free_in_contact() {
             let deflection = deflection(discrete, &x, discretisation);
             let mut open = discrete.clearances(&deflection);
-            for ((h, node), p) in open.iter_mut().zip(discrete.nodes()).zip(&x).filter(|(_, p)| discrete.gives() && **p != 0.0) {
+            for ((h, node), p) in
+                open.iter_mut().zip(discrete.nodes()).zip(&x).filter(|(_, p)| discrete.gives() && **p != 0.0)
+            {
                 *h += discrete.give(node) * p;
             }
             let stops = discrete.supports().stops().iter().zip(&x[open.len()..]);
             let first = discrete.nodes().start;
-            open.extend(stops.map(|(stop, force)| stop.deflection - deflection[stop.node - first] + force / stop.stiffness));
+            open.extend(
+                stops.map(|(stop, force)| stop.deflection - deflection[stop.node - first] + force / stop.stiffness),
+            );
             return discrete.without_supports(open);
         }
         let (at_nodes, feet) = x.split_at(discrete.nodes().len());

@@ -83,7 +83,8 @@ impl Discrete {
         match self.supports().all() {
             _ if self.supports().lacking() == 0 => Vec::new(),
             [] => {
-                let hull = lower_hull(self.by_node().into_iter().map(|place| (self.node_of(place), self.depth_of(place))));
+                let hull =
+                    lower_hull(self.by_node().into_iter().map(|place| (self.node_of(place), self.depth_of(place))));
                 let places = self.by_node();
                 let place = |node: usize| places.iter().copied().find(|place| self.node_of(*place) == node);
                 if hull.len() < 2 {
@@ -127,7 +128,9 @@ impl Discrete {
             return;
         }
         // Contact at the only spring does not keep the beam from turning.
-        let is_free = |node: usize| self.supports().at(node).is_none() && self.supports().springs().iter().all(|s| s.node != node);
+        let is_free = |node: usize| {
+            self.supports().at(node).is_none() && self.supports().springs().iter().all(|s| s.node != node)
+        };
         let touches = |&(i, free): &(usize, bool)| free == in_contact && is_free(self.node_of(place(i)));
         let found = {
             let mut touched = free.iter().enumerate().filter(touches).map(|(i, _)| self.node_of(place(i)));
@@ -148,8 +151,7 @@ impl Discrete {
             nodes.extend(self.supports().all().iter().map(|support| support.node));
         }
         let depth = |place: usize| if self.stop(place).is_some() { self.depth_of(place) } else { self.level(place) };
-        let points: Vec<[f64; 2]> =
-            nodes.into_iter().map(|place| [self.node_of(place) as f64, depth(place)]).collect();
+        let points: Vec<[f64; 2]> = nodes.into_iter().map(|place| [self.node_of(place) as f64, depth(place)]).collect();
         move |node: usize| match points.as_slice() {
             [[a, from], [b, to], ..] => from + (to - from) * ((node as f64 - a) / (b - a)),
             _ => 0.0,

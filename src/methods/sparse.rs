@@ -107,7 +107,10 @@ pub fn unsigned(discrete: &Discrete, method: Method) -> Vec<(String, f64)> {
     };
     let [springs, stops] = [discrete.supports().springs(), discrete.supports().stops()];
     let supports = springs.iter().chain(if clearances { stops } else { &[] });
-    Hinge::all(discrete).iter().map(name).chain(ground.into_iter().map(pressed)).chain(supports.map(stands)).collect()
+    let open = discrete.free_nodes().filter(|node| clearances && discrete.is_open_at(*node));
+    let clear = |node| (format!("clearance at x = {:?}", discrete.grid.place(node)), depth);
+    let pressed = ground.into_iter().map(pressed);
+    Hinge::all(discrete).iter().map(name).chain(pressed).chain(supports.map(stands)).chain(open.map(clear)).collect()
 }
 
 /// The units of the variables, as found above.
@@ -146,6 +149,30 @@ fn spring_force(spring: &NodeSpring, depth: f64, force: f64) -> f64 {
     (1.0 / spring_unit(1.0 / spring.stiffness, depth, force)).min(1.0)
 }
 
+/// Supports that give, those that only push behind the others: the node, and what stands before what it is pressed by, and before the
+/// clearance of its node, in its equation, of which `right` gets the right-hand side.
+fn sprung(discrete: &Discrete, [depth, force]: [f64; 2], right: &mut Vec<f64>) -> Vec<(usize, [f64; 2])> {
+    let supports = discrete.supports();
+    let equation = |spring: &NodeSpring| {
+        let unit = spring_unit(1.0 / spring.stiffness, depth, force);
+        let share = (1.0 / unit).min(1.0);
+        right.push(share * ((discrete.gap(spring.node) - spring.deflection) / depth));
+        (spring.node, [share * unit, share])
+    };
+    supports.springs().iter().chain(supports.stops()).map(equation).collect()
+}
+
+/// How the clearance of a node bends the hinges from the first one on that it can bend.
+fn bends(hinges: &[Hinge], first: usize, node: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
+    let near = hinges[first..].iter().take_while(move |hinge| hinge.node <= node + 1).enumerate();
+    let share = move |hinge: &Hinge| match hinge.three() {
+        [_, own, _] if own == node => hinge.count(),
+        [left, _, right] if left == node || right == node => -1.0,
+        _ => 0.0,
+    };
+    near.map(move |(k, hinge)| (first + k, share(hinge))).filter(|(_, share)| *share != 0.0)
+}
+
 /// Methods 1 and 2: moments, then what springs are pressed by, then clearances. `sizes` are those of clearance and gradient in the
 /// quadratic program.
 pub(super) fn potential(discrete: &Discrete, discretisation: Discretisation, sizes: Sizes) -> SparseForm {
@@ -163,34 +190,16 @@ pub(super) fn potential(discrete: &Discrete, discretisation: Discretisation, siz
         -discrete.spacing / depth * discrete.bend(left, node, right)
     };
     let mut right: Vec<f64> = hinges.iter().map(bend).collect();
-    // Supports that give: the node, what they are pressed by in their equation, and what stands before clearances there.
-    let (springs, stops) = (discrete.supports().springs(), discrete.supports().stops());
-    let equation = |spring: &NodeSpring| {
-        let unit = spring_unit(1.0 / spring.stiffness, depth, force);
-        let share = (1.0 / unit).min(1.0);
-        right.push(share * ((discrete.gap(spring.node) - spring.deflection) / depth));
-        (spring.node, [share * unit, share])
-    };
-    let sprung: Vec<(usize, [f64; 2])> = springs.iter().chain(stops).map(equation).collect();
+    let stands = sprung(discrete, [depth, force], &mut right);
     let row = |k: usize| hinges.len() + k;
-    // The clearances of the beam.
-    let mut first = 0;
-    let mut column = |node: usize| {
-        // The first hinge that may be bent by an unknown.
-        while hinges.get(first).is_some_and(|hinge| hinge.node + 1 < node) {
-            first += 1;
-        }
-        let near = hinges[first..].iter().take_while(|hinge| hinge.node <= node + 1).enumerate();
-        let share = |hinge: &Hinge| match hinge.three() {
-            [_, own, _] if own == node => hinge.count(),
-            [left, _, right] if left == node || right == node => -1.0,
-            _ => 0.0,
-        };
-        let column = near.map(|(k, hinge)| (first + k, share(hinge))).filter(|(_, share)| *share != 0.0);
-        let own = sprung.iter().enumerate().filter(|(_, (at, _))| *at == node).map(|(k, (_, shares))| (row(k), shares[1]));
-        column.chain(own).collect::<Vec<_>>()
+    let column = |node: usize| {
+        let own =
+            stands.iter().enumerate().filter(|(_, (at, _))| *at == node).map(|(k, (_, shares))| (row(k), shares[1]));
+        let first = hinges.partition_point(|hinge| hinge.node + 1 < node);
+        bends(&hinges, first, node).chain(own).collect::<Vec<_>>()
     };
-    let columns: Vec<_> = discrete.touchable().map(|node| (node, column(node))).collect();
+    let columns = discrete.free_nodes().map(|node| (node, column(node)));
+    let (columns, open): (Vec<_>, Vec<_>) = columns.partition(|(node, _)| !discrete.is_open_at(*node));
     let mut quadratic = quadratic(discrete, &hinges, discretisation, 1.0);
     if discrete.gives() {
         // The clearance of the beam is that of the foot of a spring less what that is pressed by, in units of its own.
@@ -201,18 +210,19 @@ pub(super) fn potential(discrete: &Discrete, discretisation: Discretisation, siz
             quadratic.push(Some(1.0));
         }
     }
-    for (k, (_, [pressed, _])) in sprung.iter().enumerate() {
+    for (k, (_, [pressed, _])) in stands.iter().enumerate() {
         equations.push(vec![(row(k), *pressed)]);
         linear.push(0.0);
         quadratic.push(Some(1.0));
     }
-    let signed = linear.len();
-    for (node, clearance) in columns {
+    // Where there is nothing to touch a clearance has no sign.
+    let signed = linear.len() + open.len();
+    for (node, clearance) in open.into_iter().chain(columns) {
         equations.push(clearance);
         linear.push(discrete.loads[node] / force);
         quadratic.push(None);
     }
-    for (k, (_, [_, share])) in sprung.iter().enumerate().skip(springs.len()) {
+    for (k, (_, [_, share])) in stands.iter().enumerate().skip(discrete.supports().springs().len()) {
         equations.push(vec![(row(k), -share)]);
         linear.push(0.0);
         quadratic.push(None);
@@ -287,7 +297,8 @@ fn curvature(
         true => divisions.softness((hinge.node + right).saturating_sub(1)),
     });
     // A spring against turning has the jump from one side of its node to the other.
-    let turned = discrete.supports().turning(hinge.node).map_or(0.0, |[k, _]| discrete.stiffness / k / discrete.spacing);
+    let turned =
+        discrete.supports().turning(hinge.node).map_or(0.0, |[k, _]| discrete.stiffness / k / discrete.spacing);
     let share = |other: &Hinge, soft: f64| match (hinge.meets(other) || other.meets(hinge), other.node == hinge.node) {
         (true, _) => Some(beside * soft),
         (_, true) if 0.0 < turned => Some(-turned),

@@ -237,9 +237,11 @@ impl Supports {
 
     /// The nodes that they hold, ascending, with the number of motions that each prevents.
     pub(super) fn holds(&self) -> Vec<(usize, usize)> {
-        let held = self.all.iter().map(|support| (support.node, support.held.slope.or(support.held.turning.map(|t| t[1]))));
+        let held =
+            self.all.iter().map(|support| (support.node, support.held.slope.or(support.held.turning.map(|t| t[1]))));
         let springs = self.springs.iter().map(|spring| (spring.node, spring.turning.map(|t| t[1])));
-        let mut all: Vec<_> = held.chain(springs).map(|(node, slope)| (node, 1 + usize::from(slope.is_some()))).collect();
+        let mut all: Vec<_> =
+            held.chain(springs).map(|(node, slope)| (node, 1 + usize::from(slope.is_some()))).collect();
         all.sort_unstable();
         all
     }

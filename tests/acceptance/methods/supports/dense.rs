@@ -52,8 +52,10 @@ impl Dense {
             let kind = if spring.pushes_only { &mut dense.stops } else { &mut dense.springs };
             kind.push(found);
         }
-        let turning = scene.springs().map(|s| (s.at, s.turning)).chain(scene.held().into_iter().map(|h| (h.at, h.turning)));
-        let turning = turning.filter_map(|(at, turning)| turning.map(|[k, slope]| (grid.node_at(at).expect("a node"), k, slope)));
+        let turning =
+            scene.springs().map(|s| (s.at, s.turning)).chain(scene.held().into_iter().map(|h| (h.at, h.turning)));
+        let turning =
+            turning.filter_map(|(at, turning)| turning.map(|[k, slope]| (grid.node_at(at).expect("a node"), k, slope)));
         dense.turning = turning.collect();
         for (i, q) in grid.nodal_loads(scene).into_iter().enumerate() {
             dense.loads[i] = q;
@@ -171,7 +173,8 @@ impl Dense {
         let tried = open.len() + self.stops.len();
         (0_usize..1 << tried).find_map(|set| {
             let is_in = |k: usize| set >> k & 1 == 1;
-            let contacts: Vec<usize> = open.iter().enumerate().filter(|(k, _)| is_in(*k)).map(|(_, node)| *node).collect();
+            let contacts: Vec<usize> =
+                open.iter().enumerate().filter(|(k, _)| is_in(*k)).map(|(_, node)| *node).collect();
             let stops: Vec<usize> = (0..self.stops.len()).filter(|k| is_in(open.len() + k)).collect();
             let (all, mut fixed) = (self.pressing(&stops), self.fixed.clone());
             fixed.extend(contacts.iter().map(|&node| (node, self.gaps[node])));

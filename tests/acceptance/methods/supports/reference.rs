@@ -168,7 +168,7 @@ fn supports_that_give_are_right_by_every_route() {
     let turning = scenes.iter().flat_map(|scene| scene.beam().all_supports()).filter(|s| s.turning_stiffness.is_some());
     let turning = turning.count();
     assert!(50 <= held && 20 <= free, "{held} held, {free} free");
-    assert!(60 <= both && 60 <= push && 60 <= turning, "{both} hold both ways, {push} push, {turning} against turning");
+    assert!(60 <= both && 60 <= push && 40 <= turning, "{both} hold both ways, {push} push, {turning} against turning");
 }
 
 /// Steps of the bending stiffness, joints and hinges by every route.
