@@ -186,8 +186,9 @@ fn by_route(scene: &Scene, settings: &Settings, start: Start<'_>) -> Result<Solu
         (methods::free_beam(&discrete, discretisation), Answer::empty("no foundation, nothing to solve".to_owned()), 0)
     } else {
         // On nested grids, in contact forces and without the program, whatever the method. Without ground there are few places to
-        // touch, of which coarser grids have none.
-        let nested = solver == Solver::ActiveSet && !discrete.is_open();
+        // touch, of which coarser grids have none; and these grids know nodes only.
+        let at_nodes = !discrete.has_open_nodes() && discrete.supports().stops().is_empty();
+        let nested = solver == Solver::ActiveSet && at_nodes;
         let alone = discrete.unknowns() < discrete.supports().lacking();
         let program = method.qp(&discrete);
         let mut answer = match (start, solver) {

@@ -116,7 +116,8 @@ pub(super) fn parts(pieces: &[Piece], cells: impl Iterator<Item = Cell>, length:
 /// κ₀ = 3 (Δv − φ Δ)/Δ² − κ₁/2                                           where the beam is built in with the slope φ
 /// ```
 ///
-/// Supports that are none of the nodes are added: their deflection is known, and the moment is zero but where the beam is built in.
+/// Supports that are none of the nodes are added: their deflection is known, and the moment is zero but where the beam is built in. Beside a
+/// spring against turning it goes on as between the next two nodes.
 /// [`None`] if that is no beam from end to end.
 pub(super) fn cubics<'a>(
     given: &Nodes,
@@ -130,7 +131,8 @@ pub(super) fn cubics<'a>(
     }
     // Place, deflection and moment at a node.
     let mut nodes: Vec<[f64; 3]> = Vec::with_capacity(n + supports.len());
-    let mut left = supports.iter().peekable();
+    // What gives against sinking is a node, or an end that is none.
+    let mut left = supports.iter().filter(|s| s.gives.is_none_or(|gives| gives.spring.is_none())).peekable();
     let added = |support: &EnclosedSupport| [support.x, support.deflection.middle(), 0.0];
     for k in 0..n {
         let x = given.x[k] / scale.length;
@@ -146,8 +148,24 @@ pub(super) fn cubics<'a>(
     }
     let enclosed = *enclosed;
     let built_in = move |x: f64| supports.binary_search_by(|s| s.x.total_cmp(&x)).ok().and_then(|i| supports[i].slope);
+    let turns = move |x: f64| {
+        let at = |s: &&EnclosedSupport| s.x.total_cmp(&x).is_eq();
+        let held = supports.iter().find(at).and_then(|s| s.gives);
+        held.is_some_and(|gives| gives.turning.is_some())
+            || enclosed.said.iter().any(|s| s.x.total_cmp(&x).is_eq() && s.gives.turning.is_some())
+    };
+    let beyond = |near: Option<&[f64; 3]>, next: Option<&[f64; 3]>, x: f64| {
+        let ([a, _, m], [b, _, n]) = (near?, next?);
+        Some(m + (n - m) * ((x - a) / (b - a)))
+    };
     Some((1..nodes.len()).map(move |i| {
-        let ([a, v0, m0], [b, v1, m1]) = (nodes[i - 1], nodes[i]);
+        let ([a, v0, mut m0], [b, v1, mut m1]) = (nodes[i - 1], nodes[i]);
+        if turns(a) {
+            m0 = beyond(nodes.get(i), nodes.get(i + 1), a).unwrap_or(m1);
+        }
+        if turns(b) {
+            m1 = beyond(nodes.get(i - 1), i.checked_sub(2).and_then(|i| nodes.get(i)), b).unwrap_or(m0);
+        }
         let turned = |slope: Interval, other: Interval| {
             let [width, rise] = [[b, a], [v1, v0]].map(|[to, from]| Interval::exact(to) - Interval::exact(from));
             number(3) * (rise - slope * width) / (width * width) - other / number(2)

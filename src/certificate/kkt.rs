@@ -3,10 +3,11 @@
 //! The forces on the beam are taken from the state, those of the supports among them. Summed up they are moments, and these summed
 //! up deflections, which are compared with those of the state: no system is solved.
 
-use std::collections::BTreeMap;
+mod giving;
 
-use super::summed::{BATCH, Change, Summed, Walked};
-use crate::scene::{Grid, Held, Scene, is_same_place};
+use self::giving::{Slope, changes, slopes};
+use super::summed::{BATCH, Summed, Walked};
+use crate::scene::{Grid, Held, Scene, Spring, is_same_place};
 use crate::state::{ContactState, Nodes, Reactions, SupportForce};
 
 /// A state whose worst residual is at most this is certified.
@@ -22,6 +23,9 @@ pub const CERTIFIED_RESIDUAL: f64 = 1e-9;
 /// deflection `P l³ / 48 EI` that all of them together would cause. Where the foundation lies so close that the beam moves
 /// less than that, a smaller measure would judge the representation of numbers, not the answer.
 const ROUNDING: f64 = 16.0 * f64::EPSILON / CERTIFIED_RESIDUAL;
+
+/// No beam with a hinge has a deflection of so many times its length.
+const MOST: f64 = 1e12;
 
 /// The least deflection by which others are measured: [`ROUNDING`] of the `P l³/48 EI` that a force causes on a beam of this length
 /// and bending stiffness.
@@ -84,12 +88,19 @@ impl Kkt {
             let (places, u) = (&mut places[..deflections.len()], &mut depths[..deflections.len()]);
             grid.places(from, places);
             scene.gaps(places, u);
+            let mut gives_here = [0.0; BATCH];
+            if gives {
+                for (k, (give, gap)) in gives_here.iter_mut().zip(u.iter_mut()).enumerate() {
+                    *give = grid.give_of(scene, from + k);
+                    // Where the foundation is interrupted there is nothing to touch.
+                    *gap = if give.is_finite() { *gap } else { f64::INFINITY };
+                }
+            }
             let rows = (0..places.len()).map(|k| {
                 let i = i + k;
                 let clearance = u[k] - v[i];
                 // Of the foot of a spring, on ground that gives.
-                let give = || grid.give_of(scene, from + k);
-                let foot = if gives { clearance + give() * p[i] } else { clearance };
+                let foot = if gives && clearance.is_finite() { clearance + gives_here[k] * p[i] } else { clearance };
                 [
                     -foot,
                     -p[i],
@@ -104,16 +115,18 @@ impl Kkt {
         });
         let [penetration, tension, complementarity, elastic, bent, clearances, out_of_place] = worst;
         let [low, couples] = at_supports;
-        let turned = supports.iter().filter_map(|support| support.held.slope).zip(tangents);
-        let turned = turned.map(|(held, slope)| (slope - held).abs() * length);
+        let [foot, pushed, pressed, law] = recorded.of_springs([force, depth]);
+        let turned = recorded.turned(&tangents, [force, depth], length);
+        // A mechanism that only rounding holds moves by far more than any beam: all else is little beside that.
+        let moves = if !recorded.hinges.is_empty() && MOST * length < depth { f64::INFINITY } else { 0.0 };
         let [shear, remaining] = summed.left_over;
         let [left, right, mistaken_forces] = recorded.of_supports(scene, state)?;
         let balance = [shear, remaining / length, left, right].map(f64::abs);
         Some(Self {
-            penetration: penetration / depth,
-            tension: tension / force,
-            complementarity,
-            equilibrium: largest([elastic.max(low).max(largest(turned)) / depth, largest(balance) / force]),
+            penetration: (penetration / depth).max(foot),
+            tension: (tension / force).max(pushed),
+            complementarity: complementarity.max(pressed),
+            equilibrium: largest([elastic.max(low) / depth, largest(balance) / force, law, turned, moves]),
             record: largest([
                 bent.max(couples) / (force * length),
                 clearances / depth,
@@ -143,6 +156,10 @@ struct Recorded<'a> {
     /// The node of the grid that is the first of the state.
     first: usize,
     supports: Vec<RecordedSupport>,
+    /// Those that give against sinking: node, what they are, and their force and moment in the state.
+    springs: Vec<(usize, Spring, SupportForce)>,
+    /// The slope that supports hold where the beam changes for them, from left to right.
+    slopes: Vec<Slope>,
     hinges: Vec<usize>,
     /// The beam under `t = q − p − R`.
     summed: Summed,
@@ -195,11 +212,19 @@ impl<'a> Recorded<'a> {
         let [load, contact] = [&forces, p].map(|forces| forces.iter().map(|force| force.abs()).sum::<f64>());
         forces[first..].iter_mut().zip(p).for_each(|(q, p)| *q -= p);
         supports.iter().for_each(|support| forces[support.node] -= support.recorded.force);
-        let changes = changes(scene, &grid, &supports)?;
+        let spring = |spring: Spring| {
+            let recorded = state.supports.iter().find(|recorded| is_same_place(recorded.at, spring.at, length))?;
+            let is_complete = recorded.moment.is_some() == spring.turning.is_some();
+            Some((grid.node_at(spring.at)?, spring, *recorded)).filter(|_| is_complete)
+        };
+        let springs: Vec<_> = scene.springs().map(spring).collect::<Option<_>>()?;
+        springs.iter().for_each(|(node, _, recorded)| forces[*node] -= recorded.force);
+        let slopes = slopes(&supports, &springs);
+        let changes = changes(scene, &grid, &slopes)?;
         let hinges = changes.iter().filter(|change| change.is_hinge()).map(|change| change.node).collect();
         let stiffness = scene.beam().bending_stiffness();
         let summed = Summed::of(forces, changes, grid.spacing(), stiffness, nodes.discretisation);
-        Some(Self { nodes, grid, first, supports, hinges, summed, load, contact })
+        Some(Self { nodes, grid, first, supports, springs, slopes, hinges, summed, load, contact })
     }
 
     /// How far the reactions at the left and at the right end are off the forces of the supports there, and how far at most the force
@@ -211,6 +236,7 @@ impl<'a> Recorded<'a> {
         let pushed: Vec<_> = scene.bearings().map(|bearing| pushed(bearing.at)).collect::<Option<_>>()?;
         let of_end = |x: f64| {
             let held = self.supports.iter().map(|s| (s.held.at, s.recorded.force));
+            let held = held.chain(self.springs.iter().map(|(_, spring, recorded)| (spring.at, recorded.force)));
             held.chain(pushed.iter().copied()).find(|(at, _)| is_same_place(*at, x, length)).map_or(0.0, |s| s.1)
         };
         let recorded = |at: f64| state.supports.iter().find(|s| s.pushes_only && is_same_place(s.at, at, length));
@@ -234,7 +260,7 @@ impl<'a> Recorded<'a> {
         let place = |k: usize| self.grid.place(known[k].0);
         let slopes: Vec<f64> = match known.len() {
             0 => return None,
-            1 => vec![self.supports.iter().find_map(|support| support.held.slope)? - tangents.first()?],
+            1 => vec![self.slopes.first()?.turned() - tangents.first()?],
             _ => (1..known.len()).map(|k| (lowered(k) - lowered(k - 1)) / (place(k) - place(k - 1))).collect(),
         };
         let kinks = slopes.windows(2).map(|pair| pair[1] - pair[0]).collect();
@@ -264,7 +290,18 @@ impl<'a> Recorded<'a> {
         let mut known: Vec<_> = self.supports.first().map(of_support).into_iter().collect();
         known.extend(self.supports[1.min(self.supports.len())..].last().map(of_support));
         let p = &self.nodes.contact_force;
-        while known.len() < 2 && self.supports.iter().all(|support| support.held.slope.is_none()) {
+        // Springs, at their deflections in the state.
+        let recorded = |(node, ..): &(usize, Spring, SupportForce)| {
+            Some((*node, *self.nodes.deflection.get(node.checked_sub(self.first)?)?))
+        };
+        let both = || self.springs.iter().filter(|(_, spring, recorded)| !spring.pushes_only || 0.0 < recorded.force);
+        if known.len() < 2 {
+            known.extend(both().next().and_then(recorded));
+        }
+        if known.len() < 2 {
+            known.extend(both().skip(1).last().and_then(recorded));
+        }
+        while known.len() < 2 && self.slopes.is_empty() {
             let taken = known.first().map(|(node, _)| *node);
             let turns = |i: usize| p[i] * taken.map_or(1.0, |taken| self.grid.place((i + self.first).abs_diff(taken)));
             let most = (0..p.len()).filter(|i| 0.0 < turns(*i)).max_by(|a, b| turns(*a).total_cmp(&turns(*b)));
@@ -290,22 +327,6 @@ impl<'a> Recorded<'a> {
         // Of the state alone: ground that the beam does not reach, however deep, must not loosen the measure.
         [force, nonzero(deepest.max(idle).max(least_deflection(force, length, stiffness)))]
     }
-}
-
-/// Where the beam changes or a support holds its slope, from left to right; [`None`] where that is between two nodes.
-fn changes(scene: &Scene, grid: &Grid, supports: &[RecordedSupport]) -> Option<Vec<Change>> {
-    let beam = scene.beam();
-    let mut all: BTreeMap<usize, Change> = BTreeMap::new();
-    for support in supports.iter().filter(|support| support.held.slope.is_some()) {
-        all.entry(support.node).or_default().couple = Some(support.recorded.couple);
-    }
-    for [x, stiffness] in beam.steps().iter().filter(|_| beam.changes().next().is_some()) {
-        all.entry(grid.node_at(*x)?).or_default().soft = Some(beam.bending_stiffness() / stiffness);
-    }
-    for joint in beam.joints() {
-        all.entry(grid.node_at(joint.at)?).or_default().joint = joint.stiffness.map_or(f64::INFINITY, |k| 1.0 / k);
-    }
-    Some(all.into_iter().map(|(node, change)| Change { node, ..change }).collect())
 }
 
 /// The largest of some numbers, at least 0; infinite if one of them is NaN.
@@ -353,7 +374,8 @@ fn nonzero(size: f64) -> f64 {
 /// Force and moment of a support in a state; [`None`] if it has none, or no moment where the beam is built in.
 fn recorded_support(state: &ContactState, held: &Held, length: f64) -> Option<SupportForce> {
     let recorded = state.supports.iter().find(|recorded| is_same_place(recorded.at, held.at, length))?;
-    (recorded.moment.is_some() == held.slope.is_some()).then_some(*recorded)
+    let holds_slope = held.slope.is_some() || held.turning.is_some();
+    (recorded.moment.is_some() == holds_slope).then_some(*recorded)
 }
 
 #[cfg(test)]

@@ -47,16 +47,18 @@ pub(super) fn export<'a>(
     let discrete = Discrete::new(&input.scene, *intervals).map_err(|error| input.error(error))?;
     let qp = method.qp(&discrete);
     let name = |k: usize| {
-        let node = discrete.node(k);
+        let (node, is_stop, give) = discrete.unknown(k);
+        let of = if is_stop { " of the support" } else { "" };
         let place = discrete.grid.place(node);
         match method.is_free_in_contact() {
+            true if is_stop => format!("force{of} at x = {place:?}"),
             true => format!("contact force at x = {place:?}"),
             // What the program has as clearance is that of a spring that is not pressed.
-            false if 0.0 < discrete.give(node) => {
-                format!(
-                    "clearance of the beam at x = {place:?} plus {:?} times the contact force there",
-                    discrete.give(node)
-                )
+            false if is_stop => {
+                format!("clearance of the beam above the support at x = {place:?} plus {give:?} times its force")
+            }
+            false if 0.0 < give => {
+                format!("clearance of the beam at x = {place:?} plus {give:?} times the contact force there")
             }
             false => format!("clearance at x = {place:?}"),
         }

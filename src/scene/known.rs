@@ -26,16 +26,6 @@ impl Scene {
         Err(SceneError::NotKnown { what, feature })
     }
 
-    /// Whether an elastic foundation goes from end to end of the beam.
-    ///
-    /// # Errors
-    ///
-    /// [`SceneError::NotKnown`] if not, naming what asked for it.
-    pub fn is_grounded_throughout(&self, what: &'static str) -> Result<(), SceneError> {
-        let is_open = self.ground_parts().any(|(_, k)| k <= 0.0);
-        if is_open { Err(SceneError::NotKnown { what, feature: "a gap in the foundation" }) } else { Ok(()) }
-    }
-
     /// Whether all moments of the beam follow from forces that are given: there is no hinge, no axial force and no support that gives, and on
     /// ground that gives there are neither steps of the bending stiffness nor joints.
     ///

@@ -199,7 +199,7 @@ impl Scene {
     /// True if there is something that the beam may touch: ground, or a support that only pushes.
     #[must_use]
     pub fn has_obstacle(&self) -> bool {
-        self.foundation.is_some() || !self.beam.bearings().is_empty()
+        self.foundation.is_some() || !self.beam.bearings().is_empty() || self.stops().next().is_some()
     }
 
     /// `g(x) = u − w0`, the gap below the beam as long as nothing acts on it, from which (6) takes the clearance `h = g − v`

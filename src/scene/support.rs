@@ -232,6 +232,11 @@ impl Scene {
         })
     }
 
+    /// Those among them that only push.
+    pub(crate) fn stops(&self) -> impl Iterator<Item = Spring> + '_ {
+        self.springs().filter(|spring| spring.pushes_only)
+    }
+
     /// Where the beam may touch supports that only push, from left to right.
     pub fn bearings(&self) -> impl Iterator<Item = Bearing> + '_ {
         let own = |at: f64| self.beam().shape().map_or(0.0, |shape| shape.depth(at));

@@ -6,6 +6,7 @@ use std::ops::Range;
 use super::contact_set::ContactSet;
 use super::extremes::{BLOCK, Values, extremes, shifted};
 use super::held_beam::{self, HeldNode};
+use super::span::Span;
 use super::supports::NodeSupport;
 use super::{Discrete, program};
 use crate::certificate::least_deflection;
@@ -26,25 +27,33 @@ pub struct Nodal {
     pub clearance: Vec<f64>,
     /// Contact forces, zero at supports.
     pub contact_force: Vec<f64>,
+    /// Forces of the supports that give and only push.
+    pub stop_force: Vec<f64>,
 }
 
 impl Nodal {
-    /// With the deflection `v = g − h`; where the ground lies so deep that this difference has few digits left, or none,
-    /// `v = C t` by statics.
+    /// From values at all nodes but supported ends, and behind them of supports that give and only push: with the deflection `v = g − h`;
+    /// where the ground lies so deep that this difference has few digits left, or none, `v = C t` by statics.
     #[must_use]
     pub fn new(
         discrete: &Discrete,
         discretisation: Discretisation,
         mut clearance: Vec<f64>,
-        contact_force: Vec<f64>,
+        mut contact_force: Vec<f64>,
     ) -> Self {
         /// Ground this many times as deep as the beam deflects: three of sixteen digits are what the difference may lose, and
         /// more than statics lose on any grid on which the difference would be the better one.
         const DEEP: f64 = 1e3;
         let first = discrete.nodes().start;
-        if discrete.is_open() {
+        if discrete.has_open_nodes() {
             return Self::of_open(discrete, discretisation, &clearance, contact_force);
         }
+        let by_statics = |forces: &[f64]| program::deflection(discrete, forces, discretisation);
+        let size = DEEP * discrete.sizes().x;
+        let by_statics =
+            (discrete.is_held() && discrete.depths.iter().any(|&u| size < u)).then(|| by_statics(&contact_force));
+        clearance.truncate(discrete.nodes().len());
+        let stop_force = contact_force.split_off(discrete.nodes().len());
         // From the foot of a spring to the beam.
         for ((h, node), p) in
             clearance.iter_mut().zip(discrete.nodes()).zip(&contact_force).filter(|_| discrete.gives())
@@ -58,38 +67,37 @@ impl Nodal {
         for support in discrete.supports().inner() {
             deflection[support.node - first] = support.held.deflection;
         }
-        let size = DEEP * discrete.sizes().x;
-        if discrete.is_held() && discrete.depths.iter().any(|&u| size < u) {
-            let by_statics = program::deflection(discrete, &contact_force, discretisation);
+        if let Some(by_statics) = by_statics {
             for ((v, &statics), &u) in deflection.iter_mut().zip(&by_statics).zip(&discrete.depths) {
                 if size < u {
                     *v = statics;
                 }
             }
         }
-        Self { discretisation, deflection, clearance, contact_force }
+        Self { discretisation, deflection, clearance, contact_force, stop_force }
     }
 
-    /// The same above nothing but supports that only push: the beam that is held where it may touch, at the clearances there.
+    /// The same where there is nothing to touch at some nodes: the beam that is held where it may touch, at the clearances there.
     fn of_open(
         discrete: &Discrete,
         discretisation: Discretisation,
         clearance: &[f64],
-        contact_force: Vec<f64>,
+        mut contact_force: Vec<f64>,
     ) -> Self {
         let first = discrete.nodes().start;
-        let mut levels = vec![0.0; clearance.len()];
-        discrete.touchable().for_each(|node| levels[node - first] = discrete.gap(node) - clearance[node - first]);
-        let held = discrete.above(levels);
-        let beam = ContactSet::at(&held, held.touchable()).solve(&held, discretisation);
-        let mut deflection = beam.map_or_else(
-            |_| vec![f64::NAN; clearance.len()],
-            |beam| held.depths.iter().zip(&beam.clearance).map(|(level, h)| level - h).collect(),
-        );
+        let (at_nodes, feet) = clearance.split_at(discrete.nodes().len());
+        let mut levels = vec![0.0; at_nodes.len()];
+        discrete.touchable().for_each(|node| levels[node - first] = discrete.gap(node) - at_nodes[node - first]);
+        let held = discrete.above(levels, feet);
+        let span = |first: usize, last: usize| Span::under(&held.loads[first + 1..last]);
+        let beam = ContactSet::at(&held, held.places()).beam(&held, discretisation, span);
+        let mut deflection = beam.map_or_else(|_| vec![f64::NAN; at_nodes.len()], |beam| beam.deflection());
         for support in discrete.supports().inner() {
             deflection[support.node - first] = support.held.deflection;
         }
-        let mut nodal = Self { discretisation, deflection, clearance: clearance.to_vec(), contact_force };
+        let clearance = if discrete.gives() { discrete.clearances(&deflection) } else { at_nodes.to_vec() };
+        let stop_force = contact_force.split_off(at_nodes.len());
+        let mut nodal = Self { discretisation, deflection, clearance, contact_force, stop_force };
         nodal.leave_open(discrete);
         nodal
     }
@@ -98,14 +106,14 @@ impl Nodal {
     #[must_use]
     pub fn resting(discrete: &Discrete, discretisation: Discretisation) -> Self {
         let nothing = || vec![0.0; discrete.nodes().len()];
-        Self { discretisation, deflection: nothing(), clearance: nothing(), contact_force: nothing() }
+        let stop_force = vec![0.0; discrete.supports().stops().len()];
+        Self { discretisation, deflection: nothing(), clearance: nothing(), contact_force: nothing(), stop_force }
     }
 
     /// Clearances of open nodes are infinite.
     pub(super) fn leave_open(&mut self, discrete: &Discrete) {
         let first = discrete.nodes().start;
-        let stands = |node: usize| discrete.supports().bearings().iter().any(|bearing| bearing.node == node);
-        for node in discrete.nodes().filter(|node| discrete.is_open() && !stands(*node)) {
+        for node in discrete.nodes().filter(|node| discrete.is_bottomless(*node)) {
             self.clearance[node - first] = f64::INFINITY;
         }
     }
@@ -117,13 +125,10 @@ const NO_FORCE: f64 = 1e-12;
 /// The beam that its supports hold under nodal loads with no foundation: `v = C q`, and no quadratic program to solve.
 #[must_use]
 pub fn free_beam(discrete: &Discrete, discretisation: Discretisation) -> Nodal {
-    let deflection = program::deflection(discrete, &vec![0.0; discrete.nodes().len()], discretisation);
-    Nodal {
-        discretisation,
-        clearance: discrete.clearances(&deflection),
-        contact_force: vec![0.0; deflection.len()],
-        deflection,
-    }
+    let nothing = vec![0.0; discrete.nodes().len()];
+    let deflection = program::deflection(discrete, &nothing, discretisation);
+    let clearance = discrete.clearances(&deflection);
+    Nodal { discretisation, clearance, contact_force: nothing, deflection, stop_force: Vec::new() }
 }
 
 /// The state of the beam that nodal values describe. Its memory is that of the discrete problem, as far as it goes.
@@ -137,6 +142,7 @@ pub fn contact_state(mut discrete: Discrete, nodal: Nodal) -> ContactState {
     let mut energy = take_contact_forces(&mut loads[nodes.clone()], &nodal);
     let pressure = pressure(&discrete, &nodal);
     energy += pressure.map_or(0.0, |_| pressed(&discrete, &nodal));
+    discrete.supports().stops().iter().zip(&nodal.stop_force).for_each(|(stop, force)| loads[stop.node] -= force);
     let discrete = discrete.basic(loads);
     let &Discrete { grid, intervals, stiffness, .. } = &discrete;
     let carried = held_beam::on_supports(&discrete, nodal.discretisation);
@@ -192,24 +198,30 @@ fn support_forces(
     (nodal, nodes): (&Nodal, &Range<usize>),
     held: &[HeldNode],
 ) -> (Vec<SupportForce>, f64) {
-    let bearings = discrete.supports().bearings();
+    let (bearings, stops) = (discrete.supports().bearings(), discrete.supports().stops());
     let mut energy = 0.0;
     let mut forces = Vec::with_capacity(supports.len() + bearings.len());
-    for support in supports {
-        let Some(found) = held.iter().find(|held| held.node == support.node) else { continue };
-        let (force, [left, right]) = (found.force, found.moments);
-        let moment = support.held.slope.map(|_| larger_moment([left, right]));
+    let springs = discrete.supports().springs().iter();
+    let all = supports.iter().map(|support| (support.node, support.held.at, support.held.deflection));
+    for (node, at, deflection) in all.chain(springs.map(|spring| (spring.node, spring.at, spring.deflection))) {
+        let Some(found) = held.iter().find(|held| held.node == node) else { continue };
+        let (force, [left, right], slope) = (found.force, found.moments, discrete.supports().slope(node));
+        let moment = slope.map(|_| larger_moment([left, right]));
         let couple = if moment.is_some() { right - left } else { 0.0 };
-        forces.push((support.node, SupportForce { at: support.held.at, force, moment, couple, pushes_only: false }));
-        energy += 0.5 * ((right - left) * support.held.slope.unwrap_or(0.0) - force * support.held.deflection);
-        if !nodes.contains(&support.node) {
-            energy -= 0.5 * discrete.loads[support.node] * support.held.deflection;
+        forces.push((node, SupportForce { at, force, moment, couple, pushes_only: false }));
+        energy += 0.5 * ((right - left) * slope.unwrap_or(0.0) - force * deflection);
+        if !nodes.contains(&node) {
+            energy -= 0.5 * discrete.loads[node] * deflection;
         }
     }
     forces.extend(bearings.iter().map(|bearing| {
         let force = nodal.contact_force[bearing.node - nodes.start];
         (bearing.node, SupportForce::pushing(bearing.at, force))
     }));
+    for (stop, force) in stops.iter().zip(&nodal.stop_force) {
+        forces.push((stop.node, SupportForce::pushing(stop.at, *force)));
+        energy -= 0.5 * force * stop.deflection;
+    }
     forces.sort_by_key(|(node, _)| *node);
     (forces.into_iter().map(|(_, force)| force).collect(), energy)
 }
@@ -274,7 +286,8 @@ fn take_contact_forces(loads: &mut [f64], nodal: &Nodal) -> f64 {
 
 /// What is stored in ground that gives, `½ Σ p²/kΔ`.
 fn pressed(discrete: &Discrete, nodal: &Nodal) -> f64 {
-    discrete.nodes().zip(&nodal.contact_force).map(|(node, p)| 0.5 * discrete.give(node) * p * p).sum()
+    let pressing = discrete.nodes().zip(&nodal.contact_force).filter(|(_, p)| **p != 0.0);
+    pressing.map(|(node, p)| 0.5 * discrete.give(node) * p * p).sum()
 }
 
 /// The largest pressure of ground that gives.
@@ -284,7 +297,8 @@ fn pressure(discrete: &Discrete, nodal: &Nodal) -> Option<Pressure> {
         let share = discrete.give(node) / discrete.whole_give(discrete.stiffest_beside(node));
         Pressure { max: share * p / discrete.spacing, at: discrete.grid.place(node) }
     };
-    let all = discrete.nodes().zip(&nodal.contact_force).map(at);
+    let grounded = discrete.nodes().zip(&nodal.contact_force).filter(|(node, _)| discrete.give(*node).is_finite());
+    let all = grounded.map(at);
     all.filter(|_| discrete.gives()).max_by(|a, b| a.max.total_cmp(&b.max))
 }
 

@@ -46,7 +46,7 @@ impl Discrete {
         // Not of a chord of no length, beside a node that is there twice.
         let [to_left, to_right] = [(levels[1] - levels[0]) / before, (levels[2] - levels[1]) / behind];
         if left == node || node == right {
-            let held = self.supports().at(node).and_then(|support| support.held.slope).unwrap_or(0.0);
+            let held = self.supports().slope(node).unwrap_or(0.0);
             return if left == node { to_right - held } else { held - to_left };
         }
         let Some(profile) = self.profile.as_deref() else { return to_right - to_left };

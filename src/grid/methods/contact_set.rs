@@ -35,39 +35,46 @@
 use std::ops::{Range, RangeInclusive};
 
 use super::Discrete;
-use super::held_beam::{Beam, Overhang};
+use super::discrete::as_float;
+use super::held_beam::Beam;
+use super::overhang::Overhang;
 use super::span::{Span, links};
 use super::springs;
-use super::supports::NodeSupport;
+use super::supports::{NodeSpring, NodeSupport};
 use crate::memory::zeros;
 use crate::qp::{Band, NotPositiveDefinite, Row};
 use crate::state::Discretisation;
 
 /// Nodes at which the beam is held, by supports and by the foundation, ascending; those in which it is built in twice. And those at which
 /// it changes.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ContactSet {
     nodes: Vec<usize>,
     /// Those among them that nothing holds, and at which the beam changes.
     free: Vec<usize>,
+    /// Supports that give and act on the beam: those that hold it both ways, and those that only push and are pressed.
+    springs: Vec<NodeSpring>,
+    /// The nodes that nothing but these hold.
+    sprung: Vec<usize>,
     /// Whether the beam hangs over beyond the first and the last of them. Otherwise it is cut there, and free of moment.
     overhangs: [bool; 2],
 }
 
-/// Contact forces and clearances at the nodes of a range, both zero at supports.
+/// Contact forces and clearances at the nodes of a range, both zero at supports, and behind them those of all stops, supports that give and
+/// only push: of a pressed one zero is the clearance, of any other the force.
 pub(crate) struct OnContacts {
     pub(crate) contact_force: Vec<f64>,
     pub(crate) clearance: Vec<f64>,
 }
 
 impl ContactSet {
-    /// Contact at some nodes, ascending.
+    /// Contact at some [places](Discrete::place), ascending.
     pub(crate) fn at(discrete: &Discrete, contacts: impl Iterator<Item = usize>) -> Self {
         let count = contacts.size_hint().0;
         Self::part(discrete, contacts, count, &(0..=discrete.intervals), [true; 2])
     }
 
-    /// Contact at nodes of a part of the beam, about as many as `count`, and the supports there.
+    /// Contact at places of a part of the beam, about as many as `count`, and the supports there.
     pub(crate) fn part(
         discrete: &Discrete,
         contacts: impl Iterator<Item = usize>,
@@ -79,14 +86,19 @@ impl ContactSet {
         let mut nodes = Vec::with_capacity(count + 2 * supports.len());
         let hold = |nodes: &mut Vec<usize>, support: &NodeSupport| {
             nodes.push(support.node);
-            if support.held.slope.is_some() {
+            if support.held.slope.is_some() || support.held.turning.is_some() {
                 nodes.push(support.node);
             }
         };
+        let mut springs = discrete.supports().springs().to_vec();
         // Most contacts are before the next support and none of those that are held already.
         let next = |supports: &[NodeSupport]| supports.first().map_or(usize::MAX, |support| support.node);
         let (mut support, mut held) = (next(supports), usize::MAX);
         contacts.for_each(|contact| {
+            if let Some(stop) = discrete.stop(contact) {
+                springs.push(discrete.supports().stops()[stop]);
+                return;
+            }
             while support <= contact {
                 hold(&mut nodes, &supports[0]);
                 held = support;
@@ -98,9 +110,15 @@ impl ContactSet {
             }
         });
         supports.iter().for_each(|support| hold(&mut nodes, support));
+        springs.retain(|spring| part.contains(&spring.node));
+        springs.sort_by_key(|spring| spring.node);
+        let alone = springs.iter().filter(|spring| nodes.binary_search(&spring.node).is_err());
+        let sprung: Vec<usize> = alone.map(|spring| spring.node).collect();
+        let twice = springs.iter().filter(|spring| spring.turning.is_some()).map(|spring| spring.node);
+        let nodes = merged(merged(nodes, &sprung), &twice.collect::<Vec<_>>());
         let changes = discrete.divisions().nodes().iter().copied().filter(|node| part.contains(node));
         let free: Vec<usize> = changes.filter(|node| nodes.binary_search(node).is_err()).collect();
-        Self { nodes: merged(nodes, &free), free, overhangs }
+        Self { nodes: merged(nodes, &free), free, springs, sprung, overhangs }
     }
 
     /// Contact forces and clearances at all nodes but supported ends, of the beam that touches here.
@@ -127,22 +145,24 @@ impl ContactSet {
     ) -> Result<OnContacts, NotPositiveDefinite> {
         let beam = self.beam(discrete, discretisation, span)?;
         let mut nodal = OnContacts { contact_force: zeros(range.len()), clearance: zeros(range.len()) };
-        beam.forces(|node, force| {
-            if let Some(contact_force) = nodal.contact_force.get_mut(node.wrapping_sub(range.start)) {
+        let at = |node: usize| node.wrapping_sub(range.start);
+        let set = |node: usize, force: f64, all: &mut [f64]| {
+            if let Some(contact_force) = all.get_mut(at(node)) {
                 *contact_force = force;
             }
-        });
-        beam.pressed(|node, force| {
-            if let Some(contact_force) = nodal.contact_force.get_mut(node.wrapping_sub(range.start)) {
-                *contact_force = force;
-            }
-        });
-        for support in discrete.supports().all() {
-            if let Some(contact_force) = nodal.contact_force.get_mut(support.node.wrapping_sub(range.start)) {
-                *contact_force = 0.0;
-            }
+        };
+        let OnContacts { contact_force: all, .. } = &mut nodal;
+        beam.forces(|node, force| set(node, force, all));
+        for spring in &beam.springs {
+            let whole = all.get(at(spring.node)).copied().unwrap_or(0.0);
+            set(spring.node, beam.beside_spring(spring, whole), all);
         }
+        beam.pressed(|node, force| set(node, force, all));
+        discrete.supports().all().iter().for_each(|support| set(support.node, 0.0, all));
         beam.clearances(&range, &mut nodal.clearance);
+        let [forces, feet] = beam.stops(&range, &nodal.clearance);
+        nodal.contact_force.extend(forces);
+        nodal.clearance.extend(feet);
         Ok(nodal)
     }
 
@@ -171,7 +191,8 @@ impl ContactSet {
         let right = (self.overhangs[1] && last < end).then(|| Overhang::of(span(last, end), 1, discrete.loads[end]));
         let overhangs = [left, right];
         let outermost = overhangs.map(|overhang| overhang.map_or(0.0, |overhang| overhang.moment));
-        let [moments, sunk] = if discrete.gives() || !discrete.divisions().nodes().is_empty() {
+        let changes = !discrete.divisions().nodes().is_empty() || discrete.supports().give();
+        let [moments, sunk] = if discrete.gives() || changes {
             let forces = overhangs.map(|overhang| overhang.map_or(0.0, |overhang| overhang.force));
             let left = [0, 1].map(|side| [outermost[side], forces[side]]);
             springs::solve(discrete, discretisation, &self, &span, left)?
@@ -184,6 +205,8 @@ impl ContactSet {
             span,
             nodes: self.nodes,
             free: self.free,
+            springs: self.springs,
+            sprung: self.sprung,
             moments,
             sunk,
             overhangs,
@@ -200,6 +223,36 @@ impl ContactSet {
         let mut left: Vec<usize> = self.nodes.drain(..left.min(self.nodes.len())).collect();
         left.reverse();
         [left, right]
+    }
+
+    /// The support that gives and acts on the beam at a node.
+    pub(super) fn spring(&self, node: usize) -> Option<&NodeSpring> {
+        self.springs.binary_search_by_key(&node, |spring| spring.node).ok().map(|i| &self.springs[i])
+    }
+
+    /// The level from which the deflection of a node that something holds counts.
+    pub(super) fn level(&self, discrete: &Discrete, node: usize) -> f64 {
+        let spring = self.spring(node).filter(|_| self.is_sprung(node));
+        spring.map_or_else(|| discrete.level(node), |spring| spring.deflection)
+    }
+
+    /// Whether nothing but a support that gives holds a node.
+    #[inline]
+    pub(super) fn is_sprung(&self, node: usize) -> bool {
+        !self.sprung.is_empty() && self.sprung.binary_search(&node).is_ok()
+    }
+
+    /// By how much the slope of the polyline through three nodes that something holds grows at the middle one.
+    pub(super) fn bend(&self, discrete: &Discrete, [left, node, right]: [usize; 3]) -> f64 {
+        if [left, node, right].iter().all(|node| !self.is_sprung(*node)) {
+            return discrete.bend(left, node, right);
+        }
+        let levels = [left, node, right].map(|node| self.level(discrete, node));
+        let chord = |from: f64, to: f64, steps: usize| (to - from) / (discrete.spacing * as_float(steps));
+        let held = || discrete.supports().slope(node).unwrap_or(0.0);
+        let before = if left == node { held() } else { chord(levels[0], levels[1], node - left) };
+        let behind = if right == node { held() } else { chord(levels[1], levels[2], right - node) };
+        behind - before
     }
 
     /// The nodes.

@@ -10,8 +10,10 @@ use std::sync::Arc;
 use super::divisions::Divisions;
 use super::held_beam;
 use super::supports::Supports;
+use super::touching::Touching;
 use crate::memory::zeros;
 use crate::qp::Sizes;
+use crate::qp::blocks::PENALTY;
 use crate::scene::{Foundation, Grid, Scene, SceneError};
 use crate::state::Discretisation;
 
@@ -33,8 +35,8 @@ pub struct Discrete {
     supports: Supports,
     /// Steps of the bending stiffness and joints.
     divisions: Divisions,
-    /// True if the beam may touch supports that only push, and nothing else.
-    open: bool,
+    /// Where the beam may touch.
+    pub(super) touching: Touching,
     /// The profiles of ground and own shape that the gaps are taken from.
     pub(super) profile: Option<Arc<Foundation>>,
     pub(super) shape: Option<Arc<Foundation>>,
@@ -78,25 +80,25 @@ impl Discrete {
     }
 
     fn unmeasured(scene: &Scene, intervals: usize, coarse: bool) -> Result<Self, SceneError> {
-        scene.is_grounded_throughout("a method on a grid")?;
         scene.has_no_tension("a method on a grid")?;
-        scene.is_firm("a method on a grid")?;
         let grid = Grid::uniform(scene, intervals)?;
         let supports = Supports::on(&grid, scene)?;
-        let open = scene.foundation().is_none() && !supports.bearings().is_empty();
+        let mut depths = grid.gaps_at(scene, supports.nodes());
+        let ground: Arc<[_]> = scene.ground_parts().collect();
+        let touching = Touching::of(scene, &grid, &supports, &ground, &mut depths);
         Ok(Self {
             grid,
             intervals,
             spacing: grid.spacing(),
             stiffness: scene.beam().bending_stiffness(),
-            depths: grid.gaps_at(scene, supports.nodes()),
-            open,
+            depths,
+            touching,
             supports,
             divisions: Divisions::on(&grid, scene, coarse)?,
             profile: scene.shared_foundation(),
             shape: scene.beam().shared_shape(),
             simple: scene.beam().is_simple() && scene.ground_stiffness().is_none(),
-            ground: scene.ground_parts().collect(),
+            ground,
             sizes: Sizes { x: 1.0, gradient: 1.0 },
             loads: grid.nodal_loads(scene),
         })
@@ -185,71 +187,6 @@ impl Discrete {
         self.simple
     }
 
-    /// Whether the beam may touch nothing but supports that only push.
-    pub(crate) fn is_open(&self) -> bool {
-        self.open
-    }
-
-    /// The nodes at which the beam may touch, ascending: all without a support, or those of supports that only push.
-    pub(super) fn touchable(&self) -> impl Iterator<Item = usize> + Clone + '_ {
-        (0..self.unknowns()).map(|unknown| self.node(unknown))
-    }
-
-    /// The nodes without a support that holds the beam, ascending.
-    pub(super) fn free_nodes(&self) -> impl Iterator<Item = usize> + '_ {
-        self.nodes().filter(|node| self.supports.at(*node).is_none())
-    }
-
-    /// True at a node with nothing to touch, and no support.
-    pub(super) fn is_open_at(&self, node: usize) -> bool {
-        self.open && self.supports.below(node).is_none()
-    }
-
-    /// Number of nodes without a support at which the beam may touch.
-    #[must_use]
-    pub fn unknowns(&self) -> usize {
-        if self.open {
-            return self.supports.bearings().len();
-        }
-        self.nodes().len() - self.supports.inner().len()
-    }
-
-    /// The node of an unknown.
-    #[must_use]
-    pub fn node(&self, unknown: usize) -> usize {
-        if self.open {
-            return self.supports.bearings()[unknown].node;
-        }
-        let first = self.nodes().start + unknown;
-        self.supports.inner().iter().fold(first, |node, support| node + usize::from(support.node <= node))
-    }
-
-    /// Values at [`nodes`](Self::nodes) without those at supports, as far as they are those of unknowns.
-    pub(super) fn without_supports(&self, mut values: Vec<f64>) -> Vec<f64> {
-        let first = self.nodes().start;
-        if self.open {
-            return self.touchable().map(|node| values[node - first]).collect();
-        }
-        for support in self.supports.inner().iter().rev() {
-            values.remove(support.node - first);
-        }
-        values
-    }
-
-    /// Values of unknowns, and zero at inner supports and open nodes.
-    pub(super) fn with_supports(&self, mut values: Vec<f64>) -> Vec<f64> {
-        let first = self.nodes().start;
-        if self.open {
-            let mut all = vec![0.0; self.nodes().len()];
-            self.touchable().zip(values).for_each(|(node, value)| all[node - first] = value);
-            return all;
-        }
-        for support in self.supports.inner() {
-            values.insert(support.node - first, 0.0);
-        }
-        values
-    }
-
     /// Clearances `h = g − v` at [`nodes`](Self::nodes).
     #[must_use]
     pub fn clearances(&self, deflection: &[f64]) -> Vec<f64> {
@@ -278,8 +215,11 @@ impl Discrete {
         let line = self.resting_line();
         // Ground that gives lets the beam down by what it settles under the load.
         let settled = self.give_inside() * self.loads.iter().sum::<f64>().abs() / as_float(self.intervals);
-        let room = |(node, gap): (usize, &f64)| {
-            if self.is_open_at(node) { f64::INFINITY } else { (gap - line(node)).abs() + settled }
+        let (stops, weight) = (self.supports.stops(), self.loads.iter().map(|q| q.abs()).sum::<f64>());
+        let room = |(node, gap): (usize, &f64)| match stops.iter().find(|stop| stop.node == node) {
+            _ if !self.is_open_at(node) => (gap - line(node)).abs() + settled,
+            Some(stop) => (stop.deflection - line(node)).abs() + weight / stop.stiffness,
+            None => f64::INFINITY,
         };
         let room = self.nodes().zip(&self.depths).map(room).skip(offset);
         let loads = self.nodes().filter(|node| self.supports.at(*node).is_none()).map(|node| self.loads[node]);
@@ -308,13 +248,14 @@ impl Discrete {
 
     /// The same beam on other supports, above ground that is known at the nodes only, and under other loads.
     fn changed(&self, supports: Supports, depths: Vec<f64>, loads: Vec<f64>) -> Self {
-        let (ground, divisions) = (Arc::clone(&self.ground), self.divisions.clone());
-        Self { depths, supports, loads, ground, divisions, profile: None, shape: None, simple: false, ..*self }
+        let (ground, divisions, touching) = (Arc::clone(&self.ground), self.divisions.clone(), self.touching.clone());
+        let (profile, shape) = (None, None);
+        Self { depths, supports, loads, ground, divisions, touching, profile, shape, simple: false, ..*self }
     }
 
-    /// The same beam above ground that is known at the nodes only.
-    pub(super) fn above(&self, depths: Vec<f64>) -> Self {
-        self.changed(self.supports.clone(), depths, self.loads.clone())
+    /// The same beam above ground that is known at the nodes only, and stops that are higher by so much.
+    pub(super) fn above(&self, depths: Vec<f64>, raised: &[f64]) -> Self {
+        self.changed(self.supports.raised(raised), depths, self.loads.clone())
     }
 
     /// The beam on its supports, with more if they do not hold it, above ground at zero and under other loads: the basic
@@ -334,12 +275,7 @@ impl Discrete {
 
     /// The same without loads, and with all supports and slopes at zero: what is left is linear in contact forces.
     pub(super) fn bare(&self) -> Self {
-        let mut all = self.supports.all().to_vec();
-        for support in &mut all {
-            support.held.deflection = 0.0;
-            support.held.slope = support.held.slope.map(|_| 0.0);
-        }
-        self.on(self.supports.holding(all), vec![0.0; self.loads.len()])
+        self.on(self.supports.at_zero(), vec![0.0; self.loads.len()])
     }
 }
 
@@ -358,7 +294,9 @@ fn size(
 ) -> Sizes {
     let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0_f64, f64::max);
     let mut deflection = largest(&mut free.iter().zip(room.clone()).map(|(v, u)| v.abs().min(u.abs())));
-    if deflection <= 0.0 {
+    let mut force: f64 = loads.map(f64::abs).sum();
+    // Less is what the elimination leaves of nothing.
+    if deflection <= force * length * length * length / stiffness / PENALTY.sqrt() {
         deflection = largest(&mut room.map(f64::abs).filter(|u| u.is_finite()));
     }
     if deflection <= 0.0 {
@@ -367,7 +305,6 @@ fn size(
     if !(0.0 < deflection && deflection < f64::INFINITY) {
         deflection = 1.0;
     }
-    let mut force: f64 = loads.map(f64::abs).sum();
     if force <= 0.0 {
         force = 48.0 * stiffness * deflection / (length * length * length);
     }

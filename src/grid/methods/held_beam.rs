@@ -12,8 +12,9 @@ use std::ops::Range;
 
 use super::contact_set::ContactSet;
 use super::discrete::as_float;
-use super::divisions::LOOSE;
+use super::overhang::Overhang;
 use super::span::Span;
+use super::supports::NodeSpring;
 use super::{Discrete, statics};
 use crate::memory::zeros;
 use crate::qp::NotPositiveDefinite;
@@ -29,21 +30,6 @@ const NEAR_ZERO: f64 = 1e-12;
 /// Nodes of a stretch that needs no memory of its own.
 const SHORT: usize = 32;
 
-/// The resultant of an overhang at its node: the sum of its loads, and their moment, negative where they bend it down.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Overhang {
-    pub(super) force: f64,
-    pub(super) moment: f64,
-}
-
-impl Overhang {
-    /// From the span between its tip and its node, the side on which the tip is, and the load on the tip.
-    pub(super) fn of(span: Span, side: usize, tip: f64) -> Self {
-        let at_tip = span.shares[side] + tip;
-        Self { force: at_tip + span.shares[1 - side], moment: -at_tip * span.steps }
-    }
-}
-
 /// A beam on its contacts and supports, with the moments there \[force · Δ\].
 pub(super) struct Beam<'a, S> {
     pub(super) discrete: &'a Discrete,
@@ -53,6 +39,9 @@ pub(super) struct Beam<'a, S> {
     pub(super) nodes: Vec<usize>,
     /// Those among them that nothing holds: the beam changes there.
     pub(super) free: Vec<usize>,
+    /// Supports that give and act on it, and the nodes that nothing but these hold.
+    pub(super) springs: Vec<NodeSpring>,
+    pub(super) sprung: Vec<usize>,
     pub(super) moments: Vec<f64>,
     /// How far the ground below each of them sinks, and the deflection of those that nothing holds; empty where it is rigid and there are
     /// none.
@@ -64,13 +53,13 @@ pub(super) struct Beam<'a, S> {
 
 /// A stretch of the beam between two held nodes, or from one to a tip.
 #[derive(Clone, Copy)]
-struct Stretch {
-    nodes: [usize; 2],
+pub(super) struct Stretch {
+    pub(super) nodes: [usize; 2],
     /// Moments and deflections at its ends.
-    moments: [f64; 2],
-    levels: [f64; 2],
+    pub(super) moments: [f64; 2],
+    pub(super) levels: [f64; 2],
     /// How far the tip of an overhang turns with its root.
-    lever: f64,
+    pub(super) lever: f64,
 }
 
 impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
@@ -108,7 +97,7 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         }
         for (i, (&node, sunk)) in self.nodes.iter().zip(&self.sunk).enumerate() {
             let give = self.discrete.give(node);
-            if give <= 0.0 || self.is_free(node) {
+            if give <= 0.0 || self.is_free(node) || self.is_sprung(node) {
                 continue;
             }
             let (force, near) = (sunk / give, i.saturating_sub(1)..self.moments.len().min(i + 2));
@@ -125,9 +114,60 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
     }
 
     /// The level at which node `i` of the list is.
-    fn level(&self, i: usize) -> f64 {
+    pub(super) fn level(&self, i: usize) -> f64 {
         let sunk = self.sunk.get(i).copied().unwrap_or(0.0);
-        if self.is_free(self.nodes[i]) { sunk } else { self.discrete.level(self.nodes[i]) + sunk }
+        let node = self.nodes[i];
+        if self.is_free(node) {
+            return sunk;
+        }
+        let spring = || self.springs.iter().find(|spring| spring.node == node);
+        let level = if self.is_sprung(node) { spring().map(|spring| spring.deflection) } else { None };
+        level.unwrap_or_else(|| self.discrete.level(node)) + sunk
+    }
+
+    /// Whether nothing but a support that gives holds a node.
+    fn is_sprung(&self, node: usize) -> bool {
+        !self.sprung.is_empty() && self.sprung.binary_search(&node).is_ok()
+    }
+
+    /// What contact exerts of all that holds the node of a support that gives and acts on the beam.
+    pub(super) fn beside_spring(&self, spring: &NodeSpring, all: f64) -> f64 {
+        match self.nodes.binary_search(&spring.node) {
+            Ok(i) if !self.is_sprung(spring.node) => all - spring.stiffness * (self.level(i) - spring.deflection),
+            _ => 0.0,
+        }
+    }
+
+    /// The force of each support that gives and acts on the beam, from how far it is pressed: nothing cancels.
+    pub(super) fn spring_force(&self, spring: &NodeSpring) -> f64 {
+        let Ok(i) = self.nodes.binary_search(&spring.node) else { return f64::NAN };
+        let alone = self.is_sprung(spring.node);
+        let pressed = if alone { self.sunk[i] } else { self.level(i) - spring.deflection };
+        spring.stiffness * pressed
+    }
+
+    /// Forces of all stops, and how far the beam is from the foot of each: nothing where it is pressed. Without what may be rounding.
+    pub(super) fn stops(&self, range: &Range<usize>, clearance: &[f64]) -> [Vec<f64>; 2] {
+        let stops = self.discrete.supports().stops();
+        let largest = || self.moments.iter().fold(0.0, |most: f64, moment| most.max(moment.abs()));
+        let of = |stop: &NodeSpring| {
+            if self.springs.iter().any(|spring| spring.node == stop.node) {
+                let force = self.spring_force(stop);
+                let rounding = UNITS * f64::EPSILON * (self.discrete.loads[stop.node].abs() + largest());
+                return [if force < 0.0 && -force <= rounding { 0.0 } else { force }, 0.0];
+            }
+            let Some(i) = stop.node.checked_sub(range.start).filter(|i| *i < clearance.len()) else { return [0.0; 2] };
+            let v = match self.nodes.binary_search(&stop.node) {
+                Ok(k) => self.level(k),
+                Err(_) => self.discrete.gap(stop.node) - clearance[i],
+            };
+            let open = stop.deflection - v;
+            let rounding =
+                (NEAR_ZERO * self.discrete.sizes().x).min(UNITS * f64::EPSILON * (stop.deflection.abs() + v.abs()));
+            [0.0, if open < 0.0 && -open <= rounding { 0.0 } else { open }]
+        };
+        let all: Vec<[f64; 2]> = stops.iter().map(of).collect();
+        [0, 1].map(|k| all.iter().map(|both| both[k]).collect())
     }
 
     /// The stretch from node `i` of the list to the next one.
@@ -135,53 +175,6 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         let nodes = [self.nodes[i], self.nodes[i + 1]];
         let levels = [i, i + 1].map(|i| self.level(i));
         Stretch { nodes, moments: [self.moments[i], self.moments[i + 1]], levels, lever: 0.0 }
-    }
-
-    /// The overhang on one side, if there is one: its stretches between places where the beam changes, from the root to the tip.
-    fn overhang(&self, side: usize) -> Vec<Stretch> {
-        let Discrete { stiffness, spacing, loads, .. } = self.discrete;
-        let Some(Overhang { moment, .. }) = self.overhangs[side] else { return Vec::new() };
-        let end = self.nodes.len() - 1;
-        let list = if side == 0 { [0, 1] } else { [end, end - 1] };
-        let ([here, next], next_moment) = (list.map(|i| self.nodes[i]), self.moments[list[1]]);
-        let [level, next_level] = list.map(|i| self.level(i));
-        let unit = 6.0 * stiffness / (spacing * spacing);
-        // Slopes count in the direction away from the tip.
-        let mut slope = if here == next {
-            let slope = self.discrete.supports().at(here).and_then(|support| support.held.slope).unwrap_or(0.0);
-            if side == 0 { slope } else { -slope }
-        } else {
-            let inner = (self.span)(here.min(next), here.max(next));
-            let [own, beside] = inner.turned(self.discretisation);
-            (next_level - level) / (spacing * as_float(here.abs_diff(next)))
-                + (own * moment + beside * next_moment + inner.rotations[side]) / unit
-        };
-        let tip = if side == 0 { 0 } else { self.discrete.intervals };
-        let mut stretches = Vec::with_capacity(1 + self.beyond[side].len());
-        let mut root = (here, moment, level);
-        for &node in self.beyond[side].iter().chain([&tip]) {
-            slope += 6.0 * self.discrete.divisions().joint(root.0).min(LOOSE) * root.1 / unit;
-            let span = (self.span)(root.0.min(node), root.0.max(node));
-            let beyond = if node == tip {
-                0.0
-            } else {
-                Overhang::of((self.span)(node.min(tip), node.max(tip)), side, loads[tip]).moment
-            };
-            let [own, beside] = span.turned(self.discretisation);
-            let chord = slope + (own * root.1 + beside * beyond + span.rotations[1 - side]) / unit;
-            let drop = chord * spacing * span.steps;
-            let far = (node, beyond, root.2 - drop);
-            let [left, right] = if side == 0 { [far, root] } else { [root, far] };
-            stretches.push(Stretch {
-                nodes: [left.0, right.0],
-                moments: [left.1, right.1],
-                levels: [left.2, right.2],
-                lever: drop.abs() + stretches.last().map_or(0.0, |before: &Stretch| before.lever),
-            });
-            slope = chord + (own * beyond + beside * root.1 + span.rotations[side]) / unit;
-            root = far;
-        }
-        stretches
     }
 
     /// Clearances at the nodes of a range that nothing holds; zero where they are negative by less than the rounding of what they
@@ -197,9 +190,9 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
                 self.clearances_in(&self.stretch(i), range, clearance, &mut buffer);
             }
         }
-        for (i, node) in self.nodes.iter().enumerate().filter(|(_, node)| range.contains(node) && self.is_free(**node))
-        {
-            let bent = self.bent(&self.stretch(i));
+        let moves = |node: &usize| range.contains(node) && (self.is_free(*node) || self.is_sprung(*node));
+        for (i, node) in self.nodes.iter().enumerate().filter(|(_, node)| moves(node)) {
+            let bent = self.bent(&self.stretch(i.min(self.nodes.len() - 2)));
             clearance[node - range.start] = self.clearance_of(*node, self.level(i), 0.0, bent);
         }
         for side in 0..2 {
@@ -284,6 +277,11 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
     pub(super) fn supports(&self) -> Vec<HeldNode> {
         let mut held: Vec<HeldNode> = Vec::new();
         self.forces(|node, force| held.push(HeldNode { node, force, moments: [0.0; 2] }));
+        for spring in &self.springs {
+            if let Some(held) = held.iter_mut().find(|held| held.node == spring.node && self.is_sprung(held.node)) {
+                held.force = self.spring_force(spring);
+            }
+        }
         let mut i = 0;
         for held in &mut held {
             // Past places where the beam changes.
@@ -330,13 +328,14 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         clearance
     }
 
-    /// Deflections at all nodes but supported ends of a beam that only supports hold, above ground at zero.
+    /// Deflections at all nodes but supported ends.
     pub(super) fn deflection(&self) -> Vec<f64> {
         let nodes = self.discrete.nodes();
         let mut deflection = self.clearance();
-        deflection.iter_mut().for_each(|value| *value = -*value);
-        for support in self.discrete.supports().inner() {
-            deflection[support.node - nodes.start] = support.held.deflection;
+        deflection.iter_mut().zip(&self.discrete.depths).for_each(|(value, gap)| *value = gap - *value);
+        let held = |node: &usize| nodes.contains(node) && !self.is_free(*node);
+        for (i, node) in self.nodes.iter().enumerate().filter(|(_, node)| held(node)) {
+            deflection[node - nodes.start] = self.level(i);
         }
         deflection
     }

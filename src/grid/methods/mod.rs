@@ -22,6 +22,7 @@ mod divisions;
 mod extremes;
 mod force;
 mod held_beam;
+mod overhang;
 mod program;
 mod rigid;
 pub(crate) mod span;
@@ -29,6 +30,7 @@ mod sparse;
 mod springs;
 mod statics;
 pub(crate) mod supports;
+mod touching;
 mod turns;
 
 pub use answer::{Nodal, contact_state, free_beam};

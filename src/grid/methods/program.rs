@@ -63,8 +63,8 @@ impl Qp for Program<'_> {
         let matrix = (&matrix + matrix.transpose()) * 0.5;
         match self.method {
             // What the open nodes between leave of the difference equations is full.
-            _ if self.discrete.is_open() => Matrix::Dense(matrix),
-            Method::Complementarity if !self.discrete.gives() => {
+            _ if self.discrete.has_open_nodes() => Matrix::Dense(matrix),
+            Method::Complementarity if !self.discrete.gives() && self.discrete.supports().stops().is_empty() => {
                 let entry = |i: usize, k: usize| if i + k < n { matrix[(i, i + k)] } else { 0.0 };
                 Matrix::Pentadiagonal((0..n).map(|i| [0, 1, 2].map(|k| entry(i, k))).collect())
             }
@@ -74,7 +74,7 @@ impl Qp for Program<'_> {
 
     fn sparse(&self) -> Option<SparseForm> {
         // Of a few places in clearances the matrix is the better form: nothing has to be eliminated.
-        if self.discrete.is_open() && !self.method.is_free_in_contact() {
+        if self.discrete.has_open_nodes() && !self.discrete.gives() && !self.method.is_free_in_contact() {
             return Some(SparseForm::of_matrix(self));
         }
         let form = if self.method.is_free_in_contact() { sparse::complementary } else { sparse::potential };
@@ -86,14 +86,23 @@ impl Qp for Program<'_> {
         let (discrete, discretisation) = (self.discrete, self.method.discretisation());
         let x = discrete.with_supports(x.to_vec());
         if self.method.is_free_in_contact() {
-            let mut open = discrete.clearances(&deflection(discrete, &x, discretisation));
-            for ((h, node), p) in open.iter_mut().zip(discrete.nodes()).zip(&x).filter(|_| discrete.gives()) {
+            let deflection = deflection(discrete, &x, discretisation);
+            let mut open = discrete.clearances(&deflection);
+            for ((h, node), p) in
+                open.iter_mut().zip(discrete.nodes()).zip(&x).filter(|(_, p)| discrete.gives() && **p != 0.0)
+            {
                 *h += discrete.give(node) * p;
             }
+            let stops = discrete.supports().stops().iter().zip(&x[open.len()..]);
+            let first = discrete.nodes().start;
+            open.extend(
+                stops.map(|(stop, force)| stop.deflection - deflection[stop.node - first] + force / stop.stiffness),
+            );
             return discrete.without_supports(open);
         }
-        let held = discrete.above(discrete.clearances(&x));
-        let forces = ContactSet::at(&held, held.touchable()).solve(&held, discretisation);
+        let (at_nodes, feet) = x.split_at(discrete.nodes().len());
+        let held = discrete.above(discrete.clearances(at_nodes), feet);
+        let forces = ContactSet::at(&held, held.places()).solve(&held, discretisation);
         forces.map_or_else(|_| vec![f64::NAN; self.dimension()], |forces| self.point(forces).gradient)
     }
 
@@ -101,12 +110,12 @@ impl Qp for Program<'_> {
     fn stationary(&self, free: &FreeSet) -> Result<Stationary, NotPositiveDefinite> {
         let in_contact = self.method.is_free_in_contact();
         let contacts = free.iter().enumerate().filter(|(_, free)| *free == in_contact);
-        let contacts = ContactSet::at(self.discrete, contacts.map(|(i, _)| self.discrete.node(i)));
+        let contacts = ContactSet::at(self.discrete, contacts.map(|(i, _)| self.discrete.place(i)));
         Ok(self.point(contacts.solve(self.discrete, self.method.discretisation())?))
     }
 
     fn make_definite(&self, free: &mut FreeSet) {
-        self.discrete.hold(free, self.method.is_free_in_contact(), |i| self.discrete.node(i));
+        self.discrete.hold(free, self.method.is_free_in_contact(), |i| self.discrete.place(i));
     }
 
     fn without_matrix(&self) -> Option<&'static str> {
@@ -126,9 +135,9 @@ impl Qp for Program<'_> {
 const NO_FLEXIBILITY: &str =
     "the supports leave the beam free to move as a whole, so that there is no flexibility matrix";
 
-/// The deflection at all nodes but supported ends of the beam on its supports, under its loads less some contact forces there.
+/// The deflection at all nodes but supported ends of the beam on its supports, under its loads less some contact forces at slots.
 pub(super) fn deflection(discrete: &Discrete, forces: &[f64], discretisation: Discretisation) -> Vec<f64> {
-    let unknown = || vec![f64::NAN; forces.len()];
+    let unknown = || vec![f64::NAN; discrete.nodes().len()];
     if !discrete.is_held() {
         return unknown();
     }
@@ -136,9 +145,11 @@ pub(super) fn deflection(discrete: &Discrete, forces: &[f64], discretisation: Di
     held_beam::on_supports(&basic, discretisation).map_or_else(|_| unknown(), |beam| beam.deflection())
 }
 
-/// `q − p` at all nodes, of contact forces at all but supported ends.
+/// `q − p` at all nodes, of contact forces at slots.
 fn remaining(discrete: &Discrete, forces: &[f64]) -> Vec<f64> {
     let mut loads = discrete.loads.clone();
-    loads[discrete.nodes()].iter_mut().zip(forces).for_each(|(q, p)| *q -= p);
+    let (at_nodes, stops) = forces.split_at(discrete.nodes().len());
+    loads[discrete.nodes()].iter_mut().zip(at_nodes).for_each(|(q, p)| *q -= p);
+    discrete.supports().stops().iter().zip(stops).for_each(|(stop, p)| loads[stop.node] -= p);
     loads
 }

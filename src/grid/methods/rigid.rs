@@ -81,36 +81,65 @@ impl Discrete {
     #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
     pub(crate) fn resting(&self) -> Vec<usize> {
         match self.supports().all() {
+            _ if self.supports().lacking() == 0 => Vec::new(),
             [] => {
-                let hull = lower_hull(self.touchable().map(|node| (node, self.depths[node])));
+                let hull =
+                    lower_hull(self.by_node().into_iter().map(|place| (self.node_of(place), self.depth_of(place))));
+                let places = self.by_node();
+                let place = |node: usize| places.iter().copied().find(|place| self.node_of(*place) == node);
                 if hull.len() < 2 {
-                    return hull;
+                    return hull.into_iter().filter_map(place).collect();
                 }
                 let [force, moment] = self.resultant();
                 let right = hull.partition_point(|&node| (node as f64) < moment / force).clamp(1, hull.len() - 1);
-                hull[right - 1..=right].to_vec()
+                hull[right - 1..=right].iter().filter_map(|node| place(*node)).collect()
             }
             [support] if support.held.slope.is_none() => {
                 let [force, moment] = self.resultant();
                 let to_right = force * support.node as f64 <= moment;
-                let slope =
-                    |node: &usize| (self.level(*node) - support.held.deflection) / node.abs_diff(support.node) as f64;
-                let beside =
-                    self.touchable().filter(|&node| if to_right { support.node < node } else { node < support.node });
+                let slope = |place: &usize| {
+                    let away = self.node_of(*place).abs_diff(support.node) as f64;
+                    (self.depth_of(*place) - support.held.deflection) / away
+                };
+                let beside = |node: usize| if to_right { support.node < node } else { node < support.node };
+                let beside = self.places().filter(|place| beside(self.node_of(*place)));
                 beside.min_by(|a, b| slope(a).total_cmp(&slope(b))).into_iter().collect()
             }
             _ => Vec::new(),
         }
     }
 
+    /// The places at which the beam may touch, by their nodes, of two at one node the higher one.
+    fn by_node(&self) -> Vec<usize> {
+        let mut places: Vec<usize> = self.places().collect();
+        if !self.supports().stops().is_empty() {
+            let key = |place: &usize| (self.node_of(*place), self.depth_of(*place));
+            places.sort_by(|a, b| key(a).0.cmp(&key(b).0).then(key(a).1.total_cmp(&key(b).1)));
+            places.dedup_by_key(|place| self.node_of(*place));
+        }
+        places
+    }
+
     /// Makes contact at these nodes the only one, if the nodes in contact do not hold the beam. The variable of a node in contact is
-    /// free if `in_contact`; `node` is that of a variable.
-    pub(crate) fn hold(&self, free: &mut FreeSet, in_contact: bool, node: impl Fn(usize) -> usize) {
+    /// free if `in_contact`; `place` is that of a variable.
+    pub(crate) fn hold(&self, free: &mut FreeSet, in_contact: bool, place: impl Fn(usize) -> usize) {
         let lacking = self.supports().lacking();
-        let touches = |&(i, free): &(usize, bool)| free == in_contact && self.supports().at(node(i)).is_none();
-        if 0 < lacking && free.iter().enumerate().filter(touches).take(lacking).count() < lacking {
+        if lacking == 0 {
+            return;
+        }
+        // Contact at the only spring does not keep the beam from turning.
+        let is_free = |node: usize| {
+            self.supports().at(node).is_none() && self.supports().springs().iter().all(|s| s.node != node)
+        };
+        let touches = |&(i, free): &(usize, bool)| free == in_contact && is_free(self.node_of(place(i)));
+        let found = {
+            let mut touched = free.iter().enumerate().filter(touches).map(|(i, _)| self.node_of(place(i)));
+            let first = touched.next();
+            usize::from(first.is_some()) + usize::from(touched.any(|node| Some(node) != first))
+        };
+        if found < lacking {
             let resting = self.resting();
-            *free = (0..free.dimension()).map(|i| resting.contains(&node(i)) == in_contact).collect();
+            *free = (0..free.dimension()).map(|i| resting.contains(&place(i)) == in_contact).collect();
         }
     }
 
@@ -121,7 +150,8 @@ impl Discrete {
         if !nodes.is_empty() {
             nodes.extend(self.supports().all().iter().map(|support| support.node));
         }
-        let points: Vec<[f64; 2]> = nodes.into_iter().map(|node| [node as f64, self.level(node)]).collect();
+        let depth = |place: usize| if self.stop(place).is_some() { self.depth_of(place) } else { self.level(place) };
+        let points: Vec<[f64; 2]> = nodes.into_iter().map(|place| [self.node_of(place) as f64, depth(place)]).collect();
         move |node: usize| match points.as_slice() {
             [[a, from], [b, to], ..] => from + (to - from) * ((node as f64 - a) / (b - a)),
             _ => 0.0,
@@ -154,6 +184,7 @@ const IN_BALANCE: f64 = 1e-12;
 #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
 pub fn balanced(discrete: &Discrete, discretisation: Discretisation, node: usize) -> Option<(Nodal, Option<Motion>)> {
     let nodes = discrete.nodes();
+    let first = nodes.start;
     let deflections = |slope: f64| {
         let turned = discrete.turned_about(node, slope);
         let mut deflection = held_beam::on_supports(&turned, discretisation).ok()?.deflection();
@@ -172,9 +203,10 @@ pub fn balanced(discrete: &Discrete, discretisation: Discretisation, node: usize
     };
     let mut least = f64::NEG_INFINITY;
     let mut most = f64::INFINITY;
-    for (i, h) in
-        nodes.clone().zip(clearances(&deflections(0.0)?)).filter(|(i, _)| *i != node && !discrete.is_open_at(*i))
-    {
+    let level = deflections(0.0)?;
+    let grounded = nodes.clone().zip(clearances(&level)).filter(|(i, _)| !discrete.is_open_at(*i));
+    let stops = discrete.supports().stops().iter().map(|stop| (stop.node, stop.deflection - level[stop.node - first]));
+    for (i, h) in grounded.chain(stops).filter(|(i, _)| *i != node) {
         let limit = h / (discrete.spacing * i.abs_diff(node) as f64);
         if node < i {
             most = most.min(limit);
@@ -199,7 +231,8 @@ pub fn balanced(discrete: &Discrete, discretisation: Discretisation, node: usize
     if discrete.supports().at(node).is_none() {
         contact_force[node - nodes.start] = discrete.resultant()[0];
     }
-    let mut nodal = Nodal { discretisation, deflection, clearance, contact_force };
+    let stop_force = vec![0.0; discrete.supports().stops().len()];
+    let mut nodal = Nodal { discretisation, deflection, clearance, contact_force, stop_force };
     nodal.leave_open(discrete);
     Some((nodal, motion))
 }
@@ -208,13 +241,17 @@ pub fn balanced(discrete: &Discrete, discretisation: Discretisation, node: usize
 /// above which their resultant is, or the only contact that was found.
 #[must_use]
 pub fn single_contact(discrete: &Discrete, balance: &Balance, nodal: &Nodal) -> Option<usize> {
-    if *balance == Balance::Held || nodal.contact_force.iter().any(|p| p.is_nan()) {
+    // A support that gives holds the beam together with any contact.
+    let is_held = *balance == Balance::Held || !discrete.supports().springs().is_empty();
+    if is_held || nodal.contact_force.iter().any(|p| p.is_nan()) {
         return None;
     }
     let [force, moment] = discrete.resultant();
     let size: f64 = discrete.loads.iter().map(|q| q.abs()).sum();
     let carries = |p: &f64| IN_BALANCE * size < *p;
-    let mut touching = discrete.nodes().zip(&nodal.contact_force).filter(|(_, p)| carries(p)).map(|(node, _)| node);
+    let stops = discrete.supports().stops().iter().map(|stop| stop.node).zip(&nodal.stop_force);
+    let touching = discrete.nodes().zip(&nodal.contact_force).chain(stops);
+    let mut touching = touching.filter(|(_, p)| carries(p)).map(|(node, _)| node);
     let only = match (discrete.supports().all().first(), touching.next(), touching.next()) {
         (Some(support), None, _) => Some(support.node),
         (None, Some(node), None) => Some(node),

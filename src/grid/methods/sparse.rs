@@ -11,10 +11,16 @@
 //! ```
 //!
 //! On ground that gives `h` is the clearance of the foot of a spring, whose compression `s/√kΔ` is one more variable without a sign,
-//! with the energy `½ s²`; contact forces have the energy `½ p²/kΔ`.
+//! with the energy `½ s²`; contact forces have the energy `½ p²/kΔ`. Supports that give are variables as well, with one equation each in
+//! clearances:
 //!
-//! Moments are variables at the nodes where the beam can bend, forces and clearances at those without a support. A built-in
-//! support has a moment on each of its sides, each with half a cell.
+//! ```text
+//! s/√k + h = g − d          + h_s of one that only pushes, the clearance of its foot       energy ½ s²
+//! R                         a force in the equilibrium of its node                         energy ½ R²/k + d R
+//! ```
+//!
+//! Moments are variables at the nodes where the beam can bend, forces and clearances at those without a support. A support that holds
+//! the slope has a moment on each of its sides, each with half a cell; where a spring holds it the jump has the energy `½ (ΔM)²/k`.
 //!
 //! Second differences appear instead of fourth ones: condition numbers are roots of those of `A`.
 //!
@@ -27,6 +33,7 @@
 //!
 //! With other choices the libraries do not converge on 30 000 intervals, or on 3000.
 
+use super::supports::NodeSpring;
 use super::{Discrete, Method};
 use crate::qp::{Sizes, SparseForm, UpperColumns};
 use crate::state::Discretisation;
@@ -46,8 +53,7 @@ impl Hinge {
         let mut hinges = Vec::with_capacity(discrete.intervals);
         for node in (0..=discrete.intervals).filter(|node| !discrete.divisions().is_hinge(*node)) {
             let inside = [0 < node, node < discrete.intervals];
-            let built_in = discrete.supports().at(node).is_some_and(|support| support.held.slope.is_some());
-            if built_in {
+            if discrete.supports().slope(node).is_some() {
                 let halves = [[true, false], [false, true]].into_iter().enumerate();
                 hinges.extend(halves.filter(|(side, _)| inside[*side]).map(|(_, sides)| Self { node, sides }));
             } else if inside == [true; 2] {
@@ -86,15 +92,25 @@ pub fn unsigned(discrete: &Discrete, method: Method) -> Vec<(String, f64)> {
         };
         (format!("moment {side} x = {:?}", discrete.grid.place(hinge.node)), moment)
     };
-    let springs = if discrete.gives() && !method.is_free_in_contact() { discrete.unknowns() } else { 0 };
-    let spring = |k| {
-        let node = discrete.node(k);
-        (
-            format!("penetration at x = {:?}", discrete.grid.place(node)),
-            depth * spring_unit(discrete, node, depth, force),
-        )
+    let clearances = !method.is_free_in_contact();
+    let ground: Vec<usize> = if discrete.gives() && clearances { discrete.touchable().collect() } else { Vec::new() };
+    let pressed = |node| {
+        let unit = depth * spring_unit(discrete.give(node), depth, force);
+        (format!("penetration at x = {:?}", discrete.grid.place(node)), unit)
     };
-    Hinge::all(discrete).iter().map(name).chain((0..springs).map(spring)).collect()
+    let stands = |spring: &NodeSpring| match clearances {
+        true => (
+            format!("how far the support at x = {:?} is pressed", spring.at),
+            depth * spring_unit(1.0 / spring.stiffness, depth, force),
+        ),
+        false => (format!("force of the support at x = {:?}", spring.at), force * spring_force(spring, depth, force)),
+    };
+    let [springs, stops] = [discrete.supports().springs(), discrete.supports().stops()];
+    let supports = springs.iter().chain(if clearances { stops } else { &[] });
+    let open = discrete.free_nodes().filter(|node| clearances && discrete.is_open_at(*node));
+    let clear = |node| (format!("clearance at x = {:?}", discrete.grid.place(node)), depth);
+    let pressed = ground.into_iter().map(pressed);
+    Hinge::all(discrete).iter().map(name).chain(pressed).chain(supports.map(stands)).chain(open.map(clear)).collect()
 }
 
 /// The units of the variables, as found above.
@@ -123,14 +139,44 @@ fn fineness(discrete: &Discrete) -> f64 {
     (discrete.unknowns() as f64).sqrt()
 }
 
-/// What the spring below a node is pressed by in its own unit, in which its energy is `½ s²`, over the unit of clearances.
-fn spring_unit(discrete: &Discrete, node: usize, depth: f64, force: f64) -> f64 {
-    (discrete.give(node) * force / depth).sqrt()
+/// What a spring that gives so much is pressed by in its own unit, in which its energy is `½ s²`, over the unit of clearances.
+fn spring_unit(give: f64, depth: f64, force: f64) -> f64 {
+    (give * force / depth).sqrt()
 }
 
-/// Methods 1 and 2: moments, then clearances. `sizes` are those of clearance and gradient in the quadratic program.
+/// The unit of the force of a spring over that of forces: of a soft one less, in which its energy is `½ s²`.
+fn spring_force(spring: &NodeSpring, depth: f64, force: f64) -> f64 {
+    (1.0 / spring_unit(1.0 / spring.stiffness, depth, force)).min(1.0)
+}
+
+/// Supports that give, those that only push behind the others: the node, and what stands before what it is pressed by, and before the
+/// clearance of its node, in its equation, of which `right` gets the right-hand side.
+fn sprung(discrete: &Discrete, [depth, force]: [f64; 2], right: &mut Vec<f64>) -> Vec<(usize, [f64; 2])> {
+    let supports = discrete.supports();
+    let equation = |spring: &NodeSpring| {
+        let unit = spring_unit(1.0 / spring.stiffness, depth, force);
+        let share = (1.0 / unit).min(1.0);
+        right.push(share * ((discrete.gap(spring.node) - spring.deflection) / depth));
+        (spring.node, [share * unit, share])
+    };
+    supports.springs().iter().chain(supports.stops()).map(equation).collect()
+}
+
+/// How the clearance of a node bends the hinges from the first one on that it can bend.
+fn bends(hinges: &[Hinge], first: usize, node: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
+    let near = hinges[first..].iter().take_while(move |hinge| hinge.node <= node + 1).enumerate();
+    let share = move |hinge: &Hinge| match hinge.three() {
+        [_, own, _] if own == node => hinge.count(),
+        [left, _, right] if left == node || right == node => -1.0,
+        _ => 0.0,
+    };
+    near.map(move |(k, hinge)| (first + k, share(hinge))).filter(|(_, share)| *share != 0.0)
+}
+
+/// Methods 1 and 2: moments, then what springs are pressed by, then clearances. `sizes` are those of clearance and gradient in the
+/// quadratic program.
 pub(super) fn potential(discrete: &Discrete, discretisation: Discretisation, sizes: Sizes) -> SparseForm {
-    let (n, hinges) = (discrete.unknowns(), Hinge::all(discrete));
+    let hinges = Hinge::all(discrete);
     let fine = fineness(discrete);
     let Sizes { x: depth, gradient: force } = discrete.sizes();
     let (depth, force) = (depth / fine, force * fine);
@@ -139,45 +185,49 @@ pub(super) fn potential(discrete: &Discrete, discretisation: Discretisation, siz
     let curved = |j: usize| curvature(discrete, &hinges, j, discretisation, coupling);
     let mut equations: Vec<_> = (0..hinges.len()).map(curved).collect();
     let mut linear = vec![0.0; hinges.len()];
-    // The first hinge that may be bent by an unknown.
-    let mut first = 0;
-    for node in (0..n).map(|unknown| discrete.node(unknown)) {
-        while hinges.get(first).is_some_and(|hinge| hinge.node + 1 < node) {
-            first += 1;
-        }
-        let near = hinges[first..].iter().take_while(|hinge| hinge.node <= node + 1).enumerate();
-        let share = |hinge: &Hinge| match hinge.three() {
-            [_, own, _] if own == node => hinge.count(),
-            [left, _, right] if left == node || right == node => -1.0,
-            _ => 0.0,
-        };
-        let column = near.map(|(k, hinge)| (first + k, share(hinge)));
-        equations.push(column.filter(|(_, share)| *share != 0.0).collect());
-        linear.push(discrete.loads[node] / force);
-    }
     let bend = |hinge: &Hinge| {
         let [left, node, right] = hinge.three();
         -discrete.spacing / depth * discrete.bend(left, node, right)
     };
-    let right = hinges.iter().map(bend).collect();
-    let sizes = Sizes { x: sizes.x / fine, gradient: sizes.gradient * fine };
+    let mut right: Vec<f64> = hinges.iter().map(bend).collect();
+    let stands = sprung(discrete, [depth, force], &mut right);
+    let row = |k: usize| hinges.len() + k;
+    let column = |node: usize| {
+        let own =
+            stands.iter().enumerate().filter(|(_, (at, _))| *at == node).map(|(k, (_, shares))| (row(k), shares[1]));
+        let first = hinges.partition_point(|hinge| hinge.node + 1 < node);
+        bends(&hinges, first, node).chain(own).collect::<Vec<_>>()
+    };
+    let columns = discrete.free_nodes().map(|node| (node, column(node)));
+    let (columns, open): (Vec<_>, Vec<_>) = columns.partition(|(node, _)| !discrete.is_open_at(*node));
     let mut quadratic = quadratic(discrete, &hinges, discretisation, 1.0);
-    let mut signed = hinges.len();
     if discrete.gives() {
         // The clearance of the beam is that of the foot of a spring less what that is pressed by, in units of its own.
-        let feet = equations.split_off(signed);
-        let loads = linear.split_off(signed);
-        for (i, (foot, load)) in feet.iter().zip(&loads).enumerate() {
-            let unit = spring_unit(discrete, discrete.node(i), depth, force);
-            equations.push(foot.iter().map(|(hinge, share)| (*hinge, -unit * share)).collect());
-            linear.push(-unit * load);
+        for (node, foot) in &columns {
+            let unit = spring_unit(discrete.give(*node), depth, force);
+            equations.push(foot.iter().map(|(row, share)| (*row, -unit * share)).collect());
+            linear.push(-unit * (discrete.loads[*node] / force));
             quadratic.push(Some(1.0));
         }
-        equations.extend(feet);
-        linear.extend(loads);
-        signed += n;
     }
-    (0..n).for_each(|_| quadratic.push(None));
+    for (k, (_, [pressed, _])) in stands.iter().enumerate() {
+        equations.push(vec![(row(k), *pressed)]);
+        linear.push(0.0);
+        quadratic.push(Some(1.0));
+    }
+    // Where there is nothing to touch a clearance has no sign.
+    let signed = linear.len() + open.len();
+    for (node, clearance) in open.into_iter().chain(columns) {
+        equations.push(clearance);
+        linear.push(discrete.loads[node] / force);
+        quadratic.push(None);
+    }
+    for (k, (_, [_, share])) in stands.iter().enumerate().skip(discrete.supports().springs().len()) {
+        equations.push(vec![(row(k), -share)]);
+        linear.push(0.0);
+        quadratic.push(None);
+    }
+    let sizes = Sizes { x: sizes.x / fine, gradient: sizes.gradient * fine };
     SparseForm { quadratic, linear, equations, right, signed, sizes }
 }
 
@@ -185,12 +235,12 @@ pub(super) fn potential(discrete: &Discrete, discretisation: Discretisation, siz
 /// them. There is no equation for a node with a support that holds it, whose force is what is missing to equilibrium; a node with
 /// nothing to touch has one, and no force.
 pub(super) fn complementary(discrete: &Discrete, discretisation: Discretisation, sizes: Sizes) -> SparseForm {
-    let (n, hinges) = (discrete.unknowns(), Hinge::all(discrete));
+    let hinges = Hinge::all(discrete);
     let Sizes { x: depth, gradient: force } = discrete.sizes();
     let mut rows = vec![None; discrete.intervals + 1];
     discrete.free_nodes().enumerate().for_each(|(row, node)| rows[node] = Some(row));
-    let mut equations = Vec::with_capacity(hinges.len() + n);
-    let mut linear = Vec::with_capacity(hinges.len() + n);
+    let mut equations = Vec::with_capacity(hinges.len() + discrete.unknowns());
+    let mut linear = Vec::with_capacity(hinges.len() + discrete.unknowns());
     for hinge in &hinges {
         let [left, node, right] = hinge.three();
         let bends = [(left, 1.0), (node, -hinge.count()), (right, 1.0)];
@@ -199,17 +249,25 @@ pub(super) fn complementary(discrete: &Discrete, discretisation: Discretisation,
         equations.push(bends.clone().filter_map(|(node, share)| rows[node].map(|row| (row, share))).collect());
         let held = bends
             .filter_map(|(node, share)| discrete.supports().at(node).map(|support| share * support.held.deflection));
-        let slope = discrete.supports().at(node).and_then(|support| support.held.slope).unwrap_or(0.0);
+        let slope = discrete.supports().slope(node).unwrap_or(0.0);
         let turned = if hinge.sides[0] { slope } else { -slope };
         linear.push((held.sum::<f64>() + turned * discrete.spacing) / depth);
     }
-    equations.extend(discrete.touchable().filter_map(|node| rows[node]).map(|row| vec![(row, -1.0)]));
-    linear.extend((0..n).map(|unknown| discrete.gap(discrete.node(unknown)) / depth));
+    // Forces of supports that give, with what they do at their own levels.
+    let springs = discrete.supports().springs();
+    let unit = |spring: &NodeSpring| spring_force(spring, depth, force);
+    let acts = |spring: &NodeSpring| rows[spring.node].map(|row| vec![(row, -unit(spring))]);
+    equations.extend(springs.iter().filter_map(acts));
+    linear.extend(springs.iter().map(|spring| unit(spring) * (spring.deflection / depth)));
+    equations.extend(discrete.places().filter_map(|place| rows[discrete.node_of(place)]).map(|row| vec![(row, -1.0)]));
+    linear.extend(discrete.places().map(|place| discrete.depth_of(place) / depth));
     let right = discrete.free_nodes().map(|node| -discrete.loads[node] / force).collect();
     let mut quadratic = quadratic(discrete, &hinges, discretisation, stiffness_number(discrete));
-    let give = |unknown| discrete.give(discrete.node(unknown)) * force / depth;
-    (0..n).for_each(|unknown| quadratic.push(discrete.gives().then(|| give(unknown))));
-    SparseForm { quadratic, linear, equations, right, signed: hinges.len(), sizes }
+    let taken = |spring: &NodeSpring| unit(spring) * unit(spring) * (force / depth / spring.stiffness);
+    springs.iter().for_each(|spring| quadratic.push(Some(taken(spring))));
+    let give = |place| discrete.give_of(place) * force / depth;
+    discrete.places().map(give).for_each(|give| quadratic.push((discrete.gives() || 0.0 < give).then_some(give)));
+    SparseForm { quadratic, linear, equations, right, signed: hinges.len() + springs.len(), sizes }
 }
 
 /// `G Δ³/(EI X)`: how far a force `G` bends one interval, measured by `X`.
@@ -238,9 +296,17 @@ fn curvature(
         false => 0.0,
         true => divisions.softness((hinge.node + right).saturating_sub(1)),
     });
-    let left = j.checked_sub(1).filter(|&i| hinges[i].meets(hinge)).map(|i| (i, beside * soft[0]));
-    let right = hinges.get(j + 1).filter(|next| hinge.meets(next)).map(|_| (j + 1, beside * soft[1]));
-    let own = (soft[0] + soft[1]) * side + divisions.joint(hinge.node);
+    // A spring against turning has the jump from one side of its node to the other.
+    let turned =
+        discrete.supports().turning(hinge.node).map_or(0.0, |[k, _]| discrete.stiffness / k / discrete.spacing);
+    let share = |other: &Hinge, soft: f64| match (hinge.meets(other) || other.meets(hinge), other.node == hinge.node) {
+        (true, _) => Some(beside * soft),
+        (_, true) if 0.0 < turned => Some(-turned),
+        _ => None,
+    };
+    let left = j.checked_sub(1).and_then(|i| Some((i, share(&hinges[i], soft[0])?)));
+    let right = hinges.get(j + 1).and_then(|next| Some((j + 1, share(next, soft[1])?)));
+    let own = (soft[0] + soft[1]) * side + divisions.joint(hinge.node) + turned;
     let entries = left.into_iter().chain([(j, own)]).chain(right);
     entries.filter(|(_, share)| *share != 0.0).map(|(i, share)| (i, factor * share)).collect()
 }

@@ -56,13 +56,15 @@ pub(super) fn solve(
         let right = nodes.get(i + 1).map_or_else(Span::default, |next| span(node, *next));
         let [a, b] = [left, right].map(|span| span.soft * span.steps);
         let [at_left, at_right] = [left, right].map(|span| span.soft * links(discretisation, span.steps));
-        let load = discrete.loads[node] + (left.shares[1] + right.shares[0]);
         let is_free = list.is_free(node);
+        // Of the two sides of a place that a spring holds against turning the left one is a row of that spring.
+        let turning = discrete.supports().turning(node).filter(|_| nodes.get(i + 1) == Some(&node));
+        let load = if turning.is_some() { 0.0 } else { discrete.loads[node] } + (left.shares[1] + right.shares[0]);
         let [w, bent, hangs] = if 0 < i && i < end {
             let w = (2.0 * (a + b) + (at_left + at_right)) / 6.0;
             let turned = (left.rotations[1] + right.rotations[0]) / 6.0;
             // Of the line through the places that hold the beam, from which the others count.
-            let bend = if is_free { 0.0 } else { discrete.bend(before, node, next_held(list, i)) };
+            let bend = if is_free { 0.0 } else { list.bend(discrete, [before, node, next_held(list, i)]) };
             let joint = discrete.divisions().joint(node);
             if SOFT < joint {
                 soft.push((i, 1.0 / joint));
@@ -72,14 +74,10 @@ pub(super) fn solve(
             let [moment, force] = outermost[usize::from(0 < i)];
             [PENALTY, -PENALTY * moment, force]
         };
-        let is_held = discrete.supports().below(node).is_some();
-        let spring = match discrete.give(node) {
-            _ if is_free => 0.0,
-            give if is_held || give <= 0.0 => PENALTY,
-            give => unit / give,
-        };
+        let [spring, preload] = if turning.is_some() { [0.0; 2] } else { held(discrete, list, node, unit) };
         let block = Block::new(if 0.0 < right.steps { 1.0 / right.steps } else { 0.0 }, w, (b - at_right) / 6.0);
-        rows.push(Row { block, spring, right: [-(load + hangs), bent] });
+        let block = turning.map_or(block, |[k, _]| block.turning(k / curved / spacing));
+        rows.push(Row { block, spring, right: [-(load - preload + hangs), bent] });
         left = right;
         before = if is_free { before } else { node };
     }
@@ -99,6 +97,22 @@ pub(super) fn solve(
     Ok([rows.iter().zip(nodes).map(moment).collect(), sunk])
 }
 
+/// `κ` of what holds a node of a list, and its force at the level from which the deflection there counts.
+fn held(discrete: &Discrete, list: &ContactSet, node: usize, unit: f64) -> [f64; 2] {
+    if list.is_free(node) {
+        return [0.0; 2];
+    }
+    // A support that gives: its force counts from its own level.
+    let [own, preload] = list.spring(node).map_or([0.0; 2], |spring| {
+        [unit * spring.stiffness, spring.stiffness * (list.level(discrete, node) - spring.deflection)]
+    });
+    match discrete.give(node) {
+        _ if list.is_sprung(node) => [own, 0.0],
+        give if give <= 0.0 || discrete.supports().at(node).is_some() => [PENALTY, 0.0],
+        give => [unit / give + own, preload],
+    }
+}
+
 /// The next node of a list that holds the beam.
 fn next_held(list: &ContactSet, i: usize) -> usize {
     let mut behind = list.nodes()[i + 1..].iter().copied().filter(|node| !list.is_free(*node));
@@ -116,7 +130,7 @@ fn above_chords(discrete: &Discrete, list: &ContactSet, sunk: &mut [f64]) {
             continue;
         }
         let next = next_held(list, i);
-        let [from, to] = [held, next].map(|node| discrete.level(node));
+        let [from, to] = [held, next].map(|node| list.level(discrete, node));
         sunk[i] += from + (to - from) * (as_float(node - held) / as_float(next - held));
     }
 }

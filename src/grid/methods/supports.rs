@@ -2,7 +2,7 @@
 
 use std::ops::{Range, RangeInclusive};
 
-use crate::scene::{Grid, Held, Quantity, Scene, SceneError, Support};
+use crate::scene::{Grid, Held, Quantity, Scene, SceneError, Spring, Support};
 
 /// A support at a node.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,6 +26,21 @@ pub(crate) struct NodeBearing {
     below: f64,
 }
 
+/// A support that gives, at a node: `R = k_s (v − d_s)`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct NodeSpring {
+    /// Its node.
+    pub(crate) node: usize,
+    /// Where it stands.
+    pub(super) at: f64,
+    /// `k_s`.
+    pub(super) stiffness: f64,
+    /// `d_s`.
+    pub(super) deflection: f64,
+    /// `k_t` and `φ_s` of a spring against turning besides.
+    pub(super) turning: Option<[f64; 2]>,
+}
+
 /// All supports of a beam, from left to right.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Supports {
@@ -34,6 +49,9 @@ pub(crate) struct Supports {
     inner: Range<usize>,
     /// Those that only push, which hold no node.
     bearings: Vec<NodeBearing>,
+    /// Those that give and hold the beam both ways, and those that give and only push.
+    springs: Vec<NodeSpring>,
+    stops: Vec<NodeSpring>,
     intervals: usize,
 }
 
@@ -63,18 +81,80 @@ impl Supports {
             NodeBearing { node, at: support.at, below: scene.depth(grid.place(node)) - support.level }
         };
         let bearings = scene.beam().bearings().iter().map(bearing).collect();
-        Ok(Self { bearings, ..Self::of(scene.held().into_iter().map(held).collect(), grid.intervals()) })
+        let spring = |spring: Spring| {
+            let Spring { at, stiffness, deflection, turning, .. } = spring;
+            NodeSpring { node: grid.nearest(at / scene.beam().length()), at, stiffness, deflection, turning }
+        };
+        let springs = scene.springs().filter(|spring| !spring.pushes_only).map(spring).collect();
+        let stops = scene.stops().map(spring).collect();
+        let held = scene.held().into_iter().map(held).collect();
+        Ok(Self { bearings, springs, stops, ..Self::of(held, grid.intervals()) })
     }
 
     /// Given ones, ascending.
     pub(super) fn of(all: Vec<NodeSupport>, intervals: usize) -> Self {
         let inner = all.partition_point(|s| s.node == 0)..all.partition_point(|s| s.node < intervals);
-        Self { all, inner, bearings: Vec::new(), intervals }
+        Self { all, inner, bearings: Vec::new(), springs: Vec::new(), stops: Vec::new(), intervals }
+    }
+
+    /// The same with others that hold the beam and do not give.
+    fn with(&self, all: Vec<NodeSupport>) -> Self {
+        let Self { bearings, springs, stops, .. } = self.clone();
+        Self { bearings, springs, stops, ..Self::of(all, self.intervals) }
     }
 
     /// The same with others that hold the beam.
     pub(super) fn holding(&self, all: Vec<NodeSupport>) -> Self {
-        Self { bearings: self.bearings.clone(), ..Self::of(all, self.intervals) }
+        Self { springs: Vec::new(), ..self.with(all) }
+    }
+
+    /// The same with all levels and slopes at zero.
+    pub(super) fn at_zero(&self) -> Self {
+        let mut zero = self.clone();
+        for Held { deflection, slope, turning, .. } in zero.all.iter_mut().map(|support| &mut support.held) {
+            *deflection = 0.0;
+            *slope = slope.map(|_| 0.0);
+            *turning = turning.map(|[k, _]| [k, 0.0]);
+        }
+        for spring in zero.springs.iter_mut().chain(&mut zero.stops) {
+            spring.deflection = 0.0;
+            spring.turning = spring.turning.map(|[k, _]| [k, 0.0]);
+        }
+        zero
+    }
+
+    /// The same with the stops raised by so much.
+    pub(super) fn raised(&self, by: &[f64]) -> Self {
+        let mut raised = self.clone();
+        raised.stops.iter_mut().zip(by).for_each(|(stop, by)| stop.deflection -= by);
+        raised
+    }
+
+    /// Those that give and hold the beam both ways, from left to right.
+    pub(crate) fn springs(&self) -> &[NodeSpring] {
+        &self.springs
+    }
+
+    /// Those that give and only push, from left to right.
+    pub(crate) fn stops(&self) -> &[NodeSpring] {
+        &self.stops
+    }
+
+    /// Whether any gives: a beam on it is no chain of spans with given ends.
+    pub(super) fn give(&self) -> bool {
+        !(self.springs.is_empty() && self.stops.is_empty() && self.all.iter().all(|s| s.held.turning.is_none()))
+    }
+
+    /// `k_t` and `φ_s` of a spring against turning at a node.
+    pub(super) fn turning(&self, node: usize) -> Option<[f64; 2]> {
+        let spring = || self.springs.binary_search_by_key(&node, |spring| spring.node).ok();
+        self.at(node).map_or_else(|| self.springs[spring()?].turning, |support| support.held.turning)
+    }
+
+    /// The slope that a support at a node holds, stiffly or by a spring.
+    pub(super) fn slope(&self, node: usize) -> Option<f64> {
+        let held = self.at(node).and_then(|support| support.held.slope);
+        held.or_else(|| self.turning(node).map(|[_, slope]| slope))
     }
 
     /// Those that only push, from left to right.
@@ -131,7 +211,12 @@ impl Supports {
     /// Whether a range of nodes, the last one included, certainly has none; a quick test, as most beams have none inside.
     #[inline]
     pub(crate) fn are_outside(&self, first: usize, last: usize) -> bool {
-        self.inner.is_empty() && self.bearings.is_empty() && self.first() <= first && last < self.nodes().end
+        self.inner.is_empty()
+            && self.bearings.is_empty()
+            && self.springs.is_empty()
+            && self.stops.is_empty()
+            && self.first() <= first
+            && last < self.nodes().end
     }
 
     /// The first node that is no supported end.
@@ -152,13 +237,19 @@ impl Supports {
 
     /// The nodes that they hold, ascending, with the number of motions that each prevents.
     pub(super) fn holds(&self) -> Vec<(usize, usize)> {
-        self.all.iter().map(|support| (support.node, if support.held.slope.is_some() { 2 } else { 1 })).collect()
+        let held =
+            self.all.iter().map(|support| (support.node, support.held.slope.or(support.held.turning.map(|t| t[1]))));
+        let springs = self.springs.iter().map(|spring| (spring.node, spring.turning.map(|t| t[1])));
+        let mut all: Vec<_> =
+            held.chain(springs).map(|(node, slope)| (node, 1 + usize::from(slope.is_some()))).collect();
+        all.sort_unstable();
+        all
     }
 
     /// The same with simple supports at level zero at such ends of the beam that it is held: a basic structure for forces that
     /// are in balance without these.
     pub(super) fn completed(&self) -> Self {
-        match (self.lacking(), self.all.first().map(|s| s.node)) {
+        match (self.lacking(), self.holds().first().map(|held| held.0)) {
             (0, _) => self.clone(),
             (1, Some(node)) if 2 * node < self.intervals => self.and_at(&[self.intervals]),
             (1, _) => self.and_at(&[0]),
@@ -182,6 +273,6 @@ impl Supports {
         };
         let mut all: Vec<NodeSupport> = self.all.iter().copied().chain(nodes.iter().map(ghost)).collect();
         all.sort_by_key(|support| support.node);
-        self.holding(all)
+        self.with(all)
     }
 }

@@ -4,6 +4,7 @@ mod closed;
 mod digits;
 mod exact;
 mod general;
+mod giving;
 mod matrices;
 mod multigrid;
 mod nodal_loads;

@@ -14,6 +14,7 @@ pub(super) struct Optimum {
 }
 
 /// A discrete beam as `½ dᵀK d − fᵀd + c`, with the deflections of all nodes first in `d`, and rotations behind them.
+#[derive(Clone)]
 pub(super) struct Dense {
     stiffness: DMatrix<f64>,
     loads: DVector<f64>,
@@ -21,6 +22,11 @@ pub(super) struct Dense {
     gaps: Vec<f64>,
     /// Freedoms that supports fix, with their values.
     fixed: Vec<(usize, f64)>,
+    /// Supports that give: node, stiffness and level; those that only push are stops.
+    springs: Vec<(usize, f64, f64)>,
+    stops: Vec<(usize, f64, f64)>,
+    /// Springs against turning: node, stiffness and slope.
+    turning: Vec<(usize, f64, f64)>,
 }
 
 impl Dense {
@@ -37,7 +43,20 @@ impl Dense {
             constant: 0.0,
             gaps: (0..nodes).map(|i| scene.gap(grid.place(i))).collect(),
             fixed: Vec::new(),
+            springs: Vec::new(),
+            stops: Vec::new(),
+            turning: Vec::new(),
         };
+        for spring in scene.springs() {
+            let found = (grid.node_at(spring.at).expect("a node"), spring.stiffness, spring.deflection);
+            let kind = if spring.pushes_only { &mut dense.stops } else { &mut dense.springs };
+            kind.push(found);
+        }
+        let turning =
+            scene.springs().map(|s| (s.at, s.turning)).chain(scene.held().into_iter().map(|h| (h.at, h.turning)));
+        let turning =
+            turning.filter_map(|(at, turning)| turning.map(|[k, slope]| (grid.node_at(at).expect("a node"), k, slope)));
+        dense.turning = turning.collect();
         for (i, q) in grid.nodal_loads(scene).into_iter().enumerate() {
             dense.loads[i] = q;
         }
@@ -57,6 +76,9 @@ impl Dense {
             }
         }
         dense.join(scene, &grid, &held);
+        for (node, k, level) in dense.springs.clone() {
+            dense.spring(k, &[(node, 1.0)], -level);
+        }
         dense
     }
 
@@ -66,6 +88,9 @@ impl Dense {
         let size = self.stiffness.diagonal().amax();
         for node in 0..nodes {
             let (left, right) = (nodes + node, 2 * nodes + node);
+            if let Some(&(_, k, slope)) = self.turning.clone().iter().find(|turning| turning.0 == node) {
+                self.spring(k, &[(if node == 0 { right } else { left }, 1.0)], -slope);
+            }
             let joint = scene.beam().joints().iter().find(|joint| grid.node_at(joint.at) == Some(node));
             if let Some(slope) = held.iter().find(|(at, _)| *at == node).and_then(|(_, held)| held.slope) {
                 self.fixed.extend([(left, slope), (right, slope)]);
@@ -130,25 +155,45 @@ impl Dense {
         self.constant += 0.5 * k * b * b;
     }
 
-    /// The optimum, by trying every set of contacts.
+    /// The same with some stops pressed.
+    fn pressing(&self, stops: &[usize]) -> Self {
+        let mut pressed = self.clone();
+        for (node, k, level) in stops.iter().map(|stop| self.stops[*stop]) {
+            pressed.spring(k, &[(node, 1.0)], -level);
+        }
+        pressed
+    }
+
+    /// The optimum, by trying every set of contacts and stops.
     pub(super) fn optimum(&self) -> Option<Optimum> {
         let nodes = self.gaps.len();
         let supported = |node: usize| self.fixed.iter().any(|(freedom, _)| *freedom == node);
         // Where there is nothing to touch nothing is tried.
         let open: Vec<usize> = (0..nodes).filter(|&node| !supported(node) && self.gaps[node].is_finite()).collect();
-        (0_usize..1 << open.len()).find_map(|set| {
+        let tried = open.len() + self.stops.len();
+        (0_usize..1 << tried).find_map(|set| {
+            let is_in = |k: usize| set >> k & 1 == 1;
             let contacts: Vec<usize> =
-                open.iter().enumerate().filter(|(k, _)| set >> k & 1 == 1).map(|(_, node)| *node).collect();
-            let mut fixed = self.fixed.clone();
+                open.iter().enumerate().filter(|(k, _)| is_in(*k)).map(|(_, node)| *node).collect();
+            let stops: Vec<usize> = (0..self.stops.len()).filter(|k| is_in(open.len() + k)).collect();
+            let (all, mut fixed) = (self.pressing(&stops), self.fixed.clone());
             fixed.extend(contacts.iter().map(|&node| (node, self.gaps[node])));
-            let (d, force) = self.solved(&fixed)?;
+            let (d, mut force) = all.solved(&fixed)?;
             let deflection: Vec<f64> = d.iter().take(nodes).copied().collect();
             let pressed = contacts.iter().all(|&node| -1e-10 <= force[node]);
             let above = open.iter().all(|&node| deflection[node] <= self.gaps[node] + 1e-10);
-            (pressed && above).then(|| Optimum {
+            let pressing = |&(node, k, level): &(usize, f64, f64)| k * (deflection[node] - level);
+            let stand = self.stops.iter().enumerate().all(|(i, stop)| {
+                let by = pressing(stop) / stop.1;
+                if stops.contains(&i) { -1e-10 <= by } else { by <= 1e-10 }
+            });
+            // Where the beam touches the ground as well, the support is what is compared.
+            self.springs.iter().for_each(|spring| force[spring.0] = pressing(spring));
+            self.stops.iter().for_each(|stop| force[stop.0] = pressing(stop).max(0.0));
+            (pressed && above && stand).then(|| Optimum {
                 deflection,
                 force: force.iter().take(nodes).copied().collect(),
-                energy: 0.5 * (&self.stiffness * &d).dot(&d) - self.loads.dot(&d) + self.constant,
+                energy: 0.5 * (&all.stiffness * &d).dot(&d) - all.loads.dot(&d) + all.constant,
             })
         })
     }

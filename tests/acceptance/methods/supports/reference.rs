@@ -129,6 +129,48 @@ fn every_route_finds_what_trying_all_contacts_finds() {
     assert!(40 <= held && 20 <= free && 20 <= built_in, "{held} held, {free} free, {built_in} built in");
 }
 
+/// The same beam with about half of its simple supports as springs, of those that only push as well, and some of the others with a spring
+/// against turning.
+fn giving(random: &mut Random, scene: &Scene) -> Option<Scene> {
+    let mut supports = scene.beam().supports_as_given();
+    for support in supports.iter_mut().filter(|support| support.slope.is_none()) {
+        let mut stiffness = |from: f64, to: f64| scene.beam().bending_stiffness() * libm::exp(random.between(from, to));
+        let [sinking, turning] = [stiffness(-6.0, 4.0), stiffness(-4.0, 3.0)];
+        support.stiffness = random.once_in(2).then_some(sinking);
+        if !support.pushes_only && random.once_in(3) {
+            *support = support.turning(turning, random.between(-0.1, 0.1));
+        }
+    }
+    if supports.iter().all(|support| support.stiffness.is_none() && support.turning_stiffness.is_none()) {
+        return None;
+    }
+    let beam = scene.beam().clone().with_supports(supports).ok()?;
+    let scene = Scene::new(beam, scene.load().clone(), scene.foundation().cloned()).ok()?;
+    let turns = |scaled: Scaled| matches!(scaled.balance, Balance::Neutral { .. });
+    scene.scaled().is_ok_and(|scaled| !turns(scaled)).then_some(scene)
+}
+
+/// Supports that give, those that only push among them, springs against turning, and beams that change besides.
+#[test]
+fn supports_that_give_are_right_by_every_route() {
+    let of = |i: u64| {
+        let random = &mut Random::new(0x90_0000 + i);
+        let scene = if i % 2 == 0 { holding(i)? } else { pushing(i)? };
+        let scene = giving(random, &scene)?;
+        if i % 3 == 0 && scene.foundation().is_some() { changing(random, &scene) } else { Some(scene) }
+    };
+    let scenes: Vec<Scene> = (0..).filter_map(of).take(120).collect();
+    let [held, free] = every_route_is_right(&scenes);
+    let springs = |pushes_only: bool| {
+        scenes.iter().flat_map(|scene| scene.beam().springs()).filter(|s| s.pushes_only == pushes_only).count()
+    };
+    let [both, push] = [false, true].map(springs);
+    let turning = scenes.iter().flat_map(|scene| scene.beam().all_supports()).filter(|s| s.turning_stiffness.is_some());
+    let turning = turning.count();
+    assert!(50 <= held && 20 <= free, "{held} held, {free} free");
+    assert!(60 <= both && 60 <= push && 40 <= turning, "{both} hold both ways, {push} push, {turning} against turning");
+}
+
 /// Steps of the bending stiffness, joints and hinges by every route.
 #[test]
 fn beams_that_change_are_right_by_every_route() {

@@ -54,11 +54,17 @@ pub struct General {
 /// Scene number `i` with some of these features, over rigid ground or none, or on an elastic foundation.
 #[must_use]
 pub fn general(i: u64, of: &[Feature], on_soil: bool) -> General {
-    let mut random = Random::new(0x006e_6e00_0000 + i);
-    let mut features: Vec<Feature> = (0..1 + random.below(4)).map(|_| of[random.below(of.len())]).collect();
-    features.sort();
-    features.dedup();
-    let mut draw = Draw::new(random, features);
+    drawn(Draw::of(i, of), on_soil)
+}
+
+/// The same with supports, joints, changes and couples at nodes of a grid of so many intervals.
+#[must_use]
+pub fn general_on_grid(i: u64, of: &[Feature], on_soil: bool, intervals: f64) -> General {
+    let draw = Draw::of(i, of);
+    drawn(Draw { intervals: Some(intervals), ..draw }, on_soil)
+}
+
+fn drawn(mut draw: Draw, on_soil: bool) -> General {
     draw.beam(on_soil);
     General { text: draw.text(), features: draw.features }
 }
@@ -66,6 +72,8 @@ pub fn general(i: u64, of: &[Feature], on_soil: bool) -> General {
 /// The parts of a file as they are drawn.
 struct Draw {
     random: Random,
+    /// Of the grid whose nodes places are, if they are.
+    intervals: Option<f64>,
     features: Vec<Feature>,
     length: f64,
     stiffness: f64,
@@ -90,6 +98,14 @@ fn short(value: f64) -> f64 {
 }
 
 impl Draw {
+    fn of(i: u64, of: &[Feature]) -> Self {
+        let mut random = Random::new(0x006e_6e00_0000 + i);
+        let mut features: Vec<Feature> = (0..1 + random.below(4)).map(|_| of[random.below(of.len())]).collect();
+        features.sort();
+        features.dedup();
+        Self::new(random, features)
+    }
+
     fn new(mut random: Random, features: Vec<Feature>) -> Self {
         let length = random.pick(&[4.0, 10.0, 12.0, 20.0]);
         let stiffness = short(10.0_f64.powf(random.between(0.0, 3.0)));
@@ -97,6 +113,7 @@ impl Draw {
         let sag = 5.0 / 384.0 * uniform * length * length * length * length / stiffness;
         Self {
             random,
+            intervals: None,
             features,
             length,
             stiffness,
@@ -119,11 +136,16 @@ impl Draw {
         short(10.0_f64.powf(self.random.between(from, to)))
     }
 
+    /// A place with few digits, or at a node.
+    fn at(&self, x: f64) -> f64 {
+        self.intervals.map_or_else(|| short(x), |n| self.length * (x / self.length * n).round() / n)
+    }
+
     /// A place inside the beam, by thirds of a percent of it, away from those that are taken.
     fn place(&mut self) -> f64 {
         loop {
             let share = (300.0 * self.random.between(0.04, 0.96)).round() / 300.0;
-            let x = short(share * self.length);
+            let x = self.at(share * self.length);
             if self.places.iter().all(|other| 0.01 * self.length < (other - x).abs()) {
                 self.places.push(x);
                 return x;
@@ -154,12 +176,15 @@ impl Draw {
         if !free {
             match self.random.below(4) {
                 0 => holds.push(0.0),
-                1 => holds.extend([0.0, short(l * self.random.between(0.6, 0.9))]),
+                1 => {
+                    let x = l * self.random.between(0.6, 0.9);
+                    holds.extend([0.0, self.at(x)]);
+                }
                 _ => holds.extend([0.0, l]),
             }
             if self.random.once_in(3) {
-                let x = short(l * self.random.between(0.2, 0.55));
-                holds.push(x);
+                let x = l * self.random.between(0.2, 0.55);
+                holds.push(self.at(x));
             }
         }
         self.places.extend_from_slice(&holds);

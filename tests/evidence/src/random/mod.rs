@@ -7,7 +7,7 @@ mod population;
 mod scenes;
 
 pub use coinciding::coinciding;
-pub use general::{Feature, General, general};
+pub use general::{Feature, General, general, general_on_grid};
 pub use held::held;
 pub use population::Family;
 pub use scenes::{on_lattice, rough, scene, smooth};

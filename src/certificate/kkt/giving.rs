@@ -1,0 +1,91 @@
+//! What supports that give leave of their laws, and the slopes that supports hold: part of the residual of a discrete problem.
+
+use std::collections::BTreeMap;
+
+use super::{Recorded, RecordedSupport, largest, largest_each};
+use crate::certificate::summed::Change;
+use crate::scene::{Grid, Scene, Spring};
+use crate::state::SupportForce;
+
+/// The slope that a support holds, stiffly or by a spring of a stiffness, with the couple that it exerts in the state.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Slope {
+    node: usize,
+    held: f64,
+    stiffness: f64,
+    couple: f64,
+}
+
+impl Slope {
+    /// The slope that the beam has there.
+    pub(super) fn turned(&self) -> f64 {
+        self.held - self.couple / self.stiffness
+    }
+}
+
+impl Recorded<'_> {
+    /// What springs are off: how far one that only pushes lies above its foot, pulls, and presses where it is clear of that; and how far any
+    /// is off its law, by its force or by its deflection, whichever is less.
+    pub(super) fn of_springs(&self, [force, depth]: [f64; 2]) -> [f64; 4] {
+        let of = |(node, spring, recorded): &(usize, Spring, SupportForce)| {
+            let v =
+                node.checked_sub(self.first).and_then(|i| self.nodes.deflection.get(i)).copied().unwrap_or(f64::NAN);
+            let (pressed, r) = (v - spring.deflection, recorded.force);
+            let misfit = |pressed: f64| {
+                let off = spring.stiffness * pressed - r;
+                smaller_share(off / spring.stiffness / depth, off / force)
+            };
+            if spring.pushes_only {
+                let foot = r / spring.stiffness - pressed;
+                return [-foot / depth, -r / force, (foot / depth).min(r / force), misfit(pressed.max(0.0))];
+            }
+            [0.0, 0.0, 0.0, misfit(pressed)]
+        };
+        largest_each([0.0; 4], self.springs.iter().map(of))
+    }
+
+    /// How far slopes that supports hold are off, by the slope or by the couple.
+    pub(super) fn turned(&self, tangents: &[f64], [force, depth]: [f64; 2], length: f64) -> f64 {
+        let of = |(slope, tangent): (&Slope, &f64)| {
+            let off = tangent - slope.turned();
+            let as_couple = if slope.stiffness.is_finite() { slope.stiffness * off } else { f64::INFINITY };
+            smaller_share(off * length / depth, as_couple / (force * length))
+        };
+        largest(self.slopes.iter().zip(tangents).map(of))
+    }
+}
+
+/// The slopes that supports hold, from left to right.
+pub(super) fn slopes(supports: &[RecordedSupport], springs: &[(usize, Spring, SupportForce)]) -> Vec<Slope> {
+    let slope = |node: usize, held: Option<f64>, turning: Option<[f64; 2]>, couple: f64| {
+        let stiff = || held.map(|held| [f64::INFINITY, held]);
+        turning.or_else(stiff).map(|[stiffness, held]| Slope { node, held, stiffness, couple })
+    };
+    let held = supports.iter().filter_map(|s| slope(s.node, s.held.slope, s.held.turning, s.recorded.couple));
+    let sprung = springs.iter().filter_map(|(node, s, recorded)| slope(*node, None, s.turning, recorded.couple));
+    let mut all: Vec<Slope> = held.chain(sprung).collect();
+    all.sort_by_key(|slope| slope.node);
+    all
+}
+
+/// Where the beam changes or a support holds its slope, from left to right; [`None`] where that is between two nodes.
+pub(super) fn changes(scene: &Scene, grid: &Grid, slopes: &[Slope]) -> Option<Vec<Change>> {
+    let beam = scene.beam();
+    let mut all: BTreeMap<usize, Change> = BTreeMap::new();
+    for slope in slopes {
+        all.entry(slope.node).or_default().couple = Some(slope.couple);
+    }
+    for [x, stiffness] in beam.steps().iter().filter(|_| beam.changes().next().is_some()) {
+        all.entry(grid.node_at(*x)?).or_default().soft = Some(beam.bending_stiffness() / stiffness);
+    }
+    for joint in beam.joints() {
+        all.entry(grid.node_at(joint.at)?).or_default().joint = joint.stiffness.map_or(f64::INFINITY, |k| 1.0 / k);
+    }
+    Some(all.into_iter().map(|(node, change)| Change { node, ..change }).collect())
+}
+
+/// The same misfit as two shares, of which the one in the better unit is less; not a number is kept.
+fn smaller_share(as_length: f64, as_force: f64) -> f64 {
+    let [length, force] = [as_length, as_force].map(f64::abs);
+    if length.is_nan() || length < force { length } else { force }
+}

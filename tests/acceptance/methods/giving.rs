@@ -1,0 +1,164 @@
+//! Supports that give, and holes of an elastic foundation, on grids: random beams beside beam theory, and limits of stiffness.
+
+use palkki::route::{Method, Solver, Status};
+use palkki::scene::Scene;
+use palkki::scene::file::{ReadProblem, parse};
+use palkki::state::ContactState;
+use palkki::{Settings, Solution, solve, solve_exactly};
+use palkki_evidence::random::Feature::{Joint, SoilSteps, Spring, Steps, Stop, Turning};
+use palkki_evidence::random::{Feature, general_on_grid, sample_of};
+
+use crate::scenes::run;
+
+fn read(text: &str) -> Scene {
+    parse("scene.toml", text, |_| Err(ReadProblem::Missing)).unwrap_or_else(|error| panic!("{error}\n{text}"))
+}
+
+/// Intervals of the coarsest grid, at whose nodes all places are.
+const COARSE: usize = 60;
+
+/// Features of random beams, and whether they lie on an elastic foundation.
+const GROUPS: [(&str, &[Feature], bool); 4] = [
+    ("springs", &[Spring, Turning, Stop], false),
+    ("springs on soil", &[Spring, Turning, Stop], true),
+    ("springs of beams that change", &[Spring, Turning, Stop, Steps, Joint], false),
+    ("holes", &[SoilSteps, Spring, Stop], true),
+];
+
+/// The scenes of a group that beam theory certifies, with its answers.
+fn drawn(of: &'static [Feature], on_soil: bool, cases: u32) -> impl Iterator<Item = (u32, Scene, Solution)> {
+    (0..sample_of(cases)).filter_map(move |i| {
+        let text = general_on_grid(u64::from(i), of, on_soil, 60.0).text;
+        let scene = parse("scene.toml", &text, |_| Err(ReadProblem::Missing)).ok()?;
+        let exact = solve_exactly(&scene).ok()?;
+        (exact.verdict.status == Status::Certified).then_some((i, scene, exact))
+    })
+}
+
+/// The largest error of deflections, energy and forces, each over the largest of its kind.
+fn error(found: &ContactState, exact: &ContactState) -> f64 {
+    let force = exact.supports.iter().map(|support| support.force.abs()).fold(exact.contact_force(), f64::max);
+    let deflection = exact.deflection.magnitude();
+    let mut shares = vec![
+        (found.deflection.max - exact.deflection.max) / deflection,
+        (found.deflection.min - exact.deflection.min) / deflection,
+        (found.energy - exact.energy) / exact.energy,
+        (found.contact_force() - exact.contact_force()) / force,
+    ];
+    shares.extend(found.supports.iter().zip(&exact.supports).map(|(found, exact)| (found.force - exact.force) / force));
+    shares.into_iter().fold(0.0, |most: f64, share| most.max(share.abs()))
+}
+
+/// Each answer of the active set is certified, no certified deflection is farther off than it says, and errors fall with the square of the
+/// spacing in the mean.
+#[test]
+fn random_beams_on_grids_approach_beam_theory() {
+    /// Of geometric means of errors; single ones go up and down with the place of lift-off between two nodes.
+    const ORDER: [f64; 2] = [1.75, 2.3];
+    /// Below it an error is rounding.
+    const ROUNDING: f64 = 1e-11;
+    for (name, of, on_soil) in GROUPS {
+        let (mut logs, mut pairs, mut answers, mut certified) = ([0.0; 2], 0_u32, 0_u32, 0_u32);
+        for (i, scene, exact) in drawn(of, on_soil, 80) {
+            for method in Method::ALL {
+                let errors = [COARSE, 8 * COARSE].map(|intervals| {
+                    let found = solve(&scene, &Settings::new(method, Solver::ActiveSet, intervals)).expect("a grid");
+                    let told = format!("{name} {i}, {method}, {intervals}: {}", found.verdict);
+                    assert!(found.verdict.solves_its_problem(), "{told}");
+                    let certificate = found.verdict.certificate.as_ref().expect("bounds");
+                    let nodes = found.state.nodes.as_ref().expect("nodes");
+                    let curve = exact.exact.as_ref().expect("functions");
+                    let off = nodes.x.iter().zip(&nodes.deflection).map(|(x, v)| (v - curve.deflection(*x)).abs());
+                    let off = off.fold(0.0, f64::max);
+                    let rounding = ROUNDING * exact.state.deflection.magnitude();
+                    assert!(off <= certificate.deflection_error + rounding, "{told}: {off}");
+                    answers += 1;
+                    certified += u32::from(found.verdict.status == Status::Certified);
+                    error(&found.state, &exact.state)
+                });
+                if ROUNDING < errors[1] {
+                    logs.iter_mut().zip(errors).for_each(|(sum, error)| *sum += libm::log(error));
+                    pairs += 1;
+                }
+            }
+        }
+        assert!(99 * answers <= 100 * certified, "{name}: {certified} of {answers}");
+        let order = (logs[0] - logs[1]) / f64::from(pairs) / libm::log(8.0);
+        assert!((ORDER[0]..=ORDER[1]).contains(&order), "{name}: {order}");
+    }
+}
+
+/// The other solvers come to the answer of the active set, or say that they do not; the four steps may stop anywhere.
+#[test]
+fn other_solvers_come_to_the_same_answer() {
+    let mut counts = Vec::new();
+    for (name, of, on_soil) in GROUPS {
+        let (mut asked, mut solved) = (0_u32, 0_u32);
+        for (i, scene, _) in drawn(of, on_soil, 40) {
+            for method in Method::ALL {
+                let best = run(&scene, method, Solver::ActiveSet, COARSE);
+                for solver in Solver::ALL {
+                    let found = run(&scene, method, solver, COARSE);
+                    if found.solved {
+                        let apart = error(&found.state, &best.state);
+                        assert!(apart <= 1e-4, "{name} {i}, {method}, {solver}: {apart}");
+                    }
+                    let is_library = Solver::OPTIMAL[2..].contains(&solver);
+                    asked += u32::from(is_library);
+                    solved += u32::from(is_library && found.solved);
+                }
+            }
+        }
+        counts.push(format!("{name}: {solved} of {asked}"));
+        assert!(85 * asked <= 100 * solved, "{counts:?}");
+    }
+}
+
+/// A beam of 10 above a dish, with these supports.
+fn dish(supports: &str) -> Scene {
+    read(&format!(
+        "[beam]\nlength = 10.0\nbending_stiffness = 1.3\nsupports = [{supports}]\n[load]\nuniform = 1.0\n\
+         [foundation]\npolynomial = [0.8, -0.08, 0.008]\n"
+    ))
+}
+
+/// Springs of 10¹² are supports, bearings and built-in ends, and of 10⁻¹² nothing.
+#[test]
+fn stiff_and_soft_springs_are_supports_and_none() {
+    let pairs = [
+        (
+            "{ at = 0 }, { at = 4, level = 0.2, stiffness = 1e12 }, { at = 10 }",
+            "{ at = 0 }, { at = 4, level = 0.2 }, { at = 10 }",
+        ),
+        (
+            "{ at = 0 }, { at = 4, level = 0.2, stiffness = 1e12, pushes_only = true }, { at = 10 }",
+            "{ at = 0 }, { at = 4, level = 0.2, pushes_only = true }, { at = 10 }",
+        ),
+        (
+            "{ at = 0, turning_stiffness = 1e12, slope = 0.1 }, { at = 10 }",
+            "{ at = 0, built_in = true, slope = 0.1 }, { at = 10 }",
+        ),
+        (
+            "{ at = 3, turning_stiffness = 1e12, slope = 0.05, stiffness = 1e12 }",
+            "{ at = 3, built_in = true, slope = 0.05 }",
+        ),
+        (
+            "{ at = 0, turning_stiffness = 1e-12 }, { at = 5, stiffness = 1e-12 }, { at = 10 }",
+            "{ at = 0 }, { at = 10 }",
+        ),
+        ("{ at = 0 }, { at = 5, stiffness = 1e-12, pushes_only = true }, { at = 10 }", "{ at = 0 }, { at = 10 }"),
+    ];
+    for (giving, firm) in pairs.map(|(giving, firm)| (dish(giving), dish(firm))) {
+        for method in Method::ALL {
+            let [found, limit] = [&giving, &firm].map(|scene| run(scene, method, Solver::ActiveSet, 40));
+            let told = format!("{method}, {:?}: {:e}", giving.beam().all_supports(), found.residual);
+            assert!(found.solved && limit.solved, "{told}");
+            let [found, limit] = [found, limit].map(|solution| {
+                let state = solution.state;
+                [state.deflection.max, state.deflection.min, state.energy, state.contact_force(), state.moment.min]
+            });
+            let apart = found.iter().zip(&limit).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
+            assert!(apart <= 1e-9, "{told}: {found:?} and {limit:?}");
+        }
+    }
+}
