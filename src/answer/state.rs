@@ -277,6 +277,7 @@ impl ContactState {
     /// `(1 + π²/100)^-3/2 = 0.87` times as large \[length\].
     #[must_use]
     pub fn large_deflection(&self, length: f64) -> Option<f64> {
+        /// Of the length, see above.
         const LARGE: f64 = 0.1;
         let varies = self.deflection.max - self.deflection.min;
         // Equal to rounding is not more.
