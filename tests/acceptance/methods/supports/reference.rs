@@ -155,9 +155,9 @@ fn giving(random: &mut Random, scene: &Scene) -> Option<Scene> {
 fn supports_that_give_are_right_by_every_route() {
     let of = |i: u64| {
         let random = &mut Random::new(0x90_0000 + i);
-        let scene = if i % 2 == 0 { holding(i)? } else { pushing(i)? };
+        let scene = if i.is_multiple_of(2) { holding(i)? } else { pushing(i)? };
         let scene = giving(random, &scene)?;
-        if i % 3 == 0 && scene.foundation().is_some() { changing(random, &scene) } else { Some(scene) }
+        if i.is_multiple_of(3) && scene.foundation().is_some() { changing(random, &scene) } else { Some(scene) }
     };
     let scenes: Vec<Scene> = (0..).filter_map(of).take(120).collect();
     let [held, free] = every_route_is_right(&scenes);
