@@ -1,6 +1,7 @@
 //! What can be wrong with a scene: the quantity, its value and what is required of it.
 
 use super::balance::Unheld;
+use super::polynomial::COEFFICIENTS;
 use super::quantity::{Profile, ProfileKey, Quantity};
 use super::scale::Scale;
 use super::written::{against, fitting, placed, shown};
@@ -44,11 +45,13 @@ pub enum SceneError {
         /// Where it ends.
         to: f64,
     },
-    /// A polynomial without coefficients.
-    #[error("`{}.polynomial` needs at least one coefficient, but has none", of.path())]
-    NoCoefficients {
+    /// A polynomial without coefficients, or with so many that 64 bits do not keep the digits of their sum.
+    #[error("`{}.polynomial` must have from 1 to {COEFFICIENTS} coefficients, but has {count}: of more, give points or a survey", of.path())]
+    Coefficients {
         /// Of which profile.
         of: Profile,
+        /// How many there are, up to the last one that is not zero.
+        count: usize,
     },
     /// A polyline of fewer than two points.
     #[error("{of} given by points needs at least 2 of them, but has {count}")]
@@ -370,7 +373,7 @@ impl SceneError {
             | Self::NoSteps { of: quantity }
             | Self::BetweenNodes { quantity, .. }
             | Self::Overflow { quantity, .. } => Some(quantity),
-            Self::NoCoefficients { of } | Self::TooFewPoints { of, .. } => whole(of),
+            Self::Coefficients { of, .. } | Self::TooFewPoints { of, .. } => whole(of),
             Self::AboveSupport { .. } | Self::BearingInGround { .. } => whole(Profile::Foundation),
             Self::RisesAtBuiltIn { .. } | Self::ValleyAtSupport { .. } => whole(Profile::Foundation),
             Self::CornerAtBuiltIn { .. } => whole(Profile::Shape),

@@ -173,11 +173,6 @@ fn places(profiles: &[Option<&Foundation>], load: &Load, scene: &Scene, ends: &[
         cut(LONGEST / (beam.tension().abs() / beam.bending_stiffness()).sqrt(), &mut places);
     }
     for profile in profiles.iter().flatten() {
-        if let Foundation::Polynomial { coefficients } = profile
-            && let Some(degree) = polynomial::long_degree(coefficients)
-        {
-            places.extend(polynomial::cuts(beam.length(), polynomial::parts(degree)));
-        }
         let Foundation::Cosine { wavelength, .. } = profile else { continue };
         let most = CELL_ANGLE * wavelength / (2.0 * std::f64::consts::PI);
         cut(most, &mut places);
@@ -333,11 +328,7 @@ fn shapes_of(foundation: &Foundation, length: f64) -> (Vec<Shape>, Vec<Break>) {
     match foundation {
         &Foundation::Flat { depth } => (vec![Shape::Line { origin: 0.0, depth, slope: 0.0 }], Vec::new()),
         Foundation::Polynomial { coefficients } => {
-            if let Some(degree) = polynomial::long_degree(coefficients) {
-                return (vec![Shape::long(coefficients, degree, length)], Vec::new());
-            }
-            let used = coefficients.iter().rposition(|&c| c != 0.0).map_or(1, |i| i + 1);
-            (vec![Shape::Polynomial(coefficients[..used].to_vec())], Vec::new())
+            (vec![Shape::Polynomial(polynomial::used(coefficients).to_vec())], Vec::new())
         }
         &Foundation::Cosine { mean, amplitude, wavelength, phase } => {
             (vec![Shape::Cosine { mean, amplitude, wavelength, phase }], Vec::new())
