@@ -34,7 +34,7 @@ mod turns;
 pub use answer::{Nodal, contact_state, free_beam};
 pub use discrete::Discrete;
 pub use force::flexibility;
-pub use rigid::{balanced, single_contact};
+pub use rigid::is_on_one_node;
 pub use sparse::unsigned;
 
 use std::f64::consts::PI;

@@ -1,7 +1,6 @@
 //! What can be wrong with a scene: the quantity, its value and what is required of it.
 
 use super::balance::Unheld;
-use super::polynomial::COEFFICIENTS;
 use super::quantity::{Profile, ProfileKey, Quantity};
 use super::scale::Scale;
 use super::written::{against, fitting, placed, shown};
@@ -46,7 +45,7 @@ pub enum SceneError {
         to: f64,
     },
     /// A polynomial without coefficients, or with so many that 64 bits do not keep the digits of their sum.
-    #[error("`{}.polynomial` must have from 1 to {COEFFICIENTS} coefficients, but has {count}: of more, give points or a survey", of.path())]
+    #[error("`{}.polynomial` must have from 1 to {} coefficients, but has {count}; in place of more give points, or a survey", of.path(), super::polynomial::COEFFICIENTS)]
     Coefficients {
         /// Of which profile.
         of: Profile,
@@ -339,13 +338,11 @@ pub enum SceneError {
 impl SceneError {
     /// What is wrong with a dimensionless scene on a grid, in the units of the scene.
     #[must_use]
-    pub fn in_units_of(self, scale: &Scale) -> Self {
-        match self {
-            Self::BetweenNodes { quantity, at, intervals, fits } => {
-                Self::BetweenNodes { quantity, at: at * scale.length, intervals, fits }
-            }
-            other => other,
+    pub fn in_units_of(mut self, scale: &Scale) -> Self {
+        if let Self::BetweenNodes { at, .. } = &mut self {
+            *at *= scale.length;
         }
+        self
     }
 
     /// The quantity that the error is about, if it is about a single one: a scene file uses it to find the line.

@@ -114,7 +114,9 @@ impl Foundation {
     pub fn sides(&self, x: f64) -> [[f64; 2]; 2] {
         match self {
             Self::Flat { depth } => [[*depth, 0.0]; 2],
-            Self::Polynomial { coefficients } => [[self.depth(x), polynomial::with_slope(coefficients.iter().copied(), x)[1]]; 2],
+            Self::Polynomial { coefficients } => {
+                [[self.depth(x), polynomial::with_slope(coefficients.iter().copied(), x)[1]]; 2]
+            }
             Self::Cosine { amplitude, wavelength, phase, .. } => {
                 let rate = 2.0 * std::f64::consts::PI / wavelength;
                 let angle = 2.0 * std::f64::consts::PI * (x / wavelength) + phase;
