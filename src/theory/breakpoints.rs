@@ -58,15 +58,11 @@ impl PiecewiseScene {
         at.iter().zip(&bearings).for_each(|(&i, bearing)| breakpoints[i].depth = bearing.gap);
         let degree = shapes.iter().map(Shape::degree).try_fold(0, |most, d| d.map(|d| d.max(most)));
         let (terms, [load_rule, energy_rule]) = orders(&shapes, degree, tension);
+        let is_straight = tension == 0.0 && degree.is_some_and(|degree| degree < 2);
         let own_size = own.map_or(0.0, |own| own.magnitude(length));
         let mut given = Self {
             length,
-            run_ends: run_ends(
-                &cells,
-                &breakpoints,
-                &divisions,
-                tension == 0.0 && degree.is_some_and(|degree| degree < 2),
-            ),
+            run_ends: run_ends(&cells, &breakpoints, &divisions, is_straight),
             divisions,
             roughest: breakpoints
                 .iter()
