@@ -54,8 +54,8 @@ impl<'a> EnclosedFoundation<'a> {
         if let Foundation::Flat { depth } = self.given { Some(*depth) } else { None }
     }
 
-    /// `u(origin + s)` between two places without a break between them, on which the origin is.
-    pub(crate) fn about(&self, origin: f64, [from, to]: [f64; 2]) -> Polynomial {
+    /// `u(origin + s)` from a place up to the next break, between which the origin is.
+    pub(crate) fn about(&self, origin: f64, from: f64) -> Polynomial {
         match self.given {
             Foundation::Flat { depth } => Polynomial::new(&[Interval::exact(*depth)]),
             Foundation::Polynomial { coefficients } => Polynomial::new(&expanded(used(coefficients), origin)),
@@ -70,7 +70,7 @@ impl<'a> EnclosedFoundation<'a> {
     pub(crate) fn jet(&self, x: f64, from_the_left: bool) -> [Interval; 4] {
         // At a smooth place both sides are one, to the last bit.
         let beside = if from_the_left && !self.is_smooth_at(x) { x.next_down() } else { x };
-        let cell = self.about(x, [beside, x]);
+        let cell = self.about(x, beside);
         let c = |j: usize| cell.coefficients().get(j).copied().unwrap_or(Interval::ZERO);
         [c(0), c(1), c(2) * number(2), c(3) * number(6)]
     }

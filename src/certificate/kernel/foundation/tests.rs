@@ -20,7 +20,7 @@ fn encloses(cell: &Polynomial, s: f64, value: f64, slack: f64) {
 
 /// `u(from + s)` and `u(to − s)`.
 fn from_both_ends(ground: &EnclosedFoundation<'_>, from: f64, to: f64) -> [Polynomial; 2] {
-    [ground.about(from, [from, to]), ground.about(to, [from, to]).mirrored()]
+    [ground.about(from, from), ground.about(to, from).mirrored()]
 }
 
 /// `T_6(x/4 − 1)`, the terms of which add up to 20,000: the cell encloses what its recurrence gives, to some roundings of 1.
@@ -72,7 +72,7 @@ fn cells_of_a_cosine_enclose_it() {
             encloses(&mirrored, s, depth(to - s), ROUNDING);
         }
     }
-    let range = ground.about(2.0, [2.0, 2.25]).at(Interval::exact(0.25));
+    let range = ground.about(2.0, 2.0).at(Interval::exact(0.25));
     assert!(range.hi() - range.lo() <= 20.0 * ROUNDING, "{range:?}");
 }
 
@@ -130,11 +130,11 @@ fn a_polyline_is_what_its_points_say() {
     }
     assert!(ground.is_upper(4.5, true), "there is no step");
     // From one depth to its opposite is not level.
-    encloses(&ground.about(8.0, [8.0, LENGTH]), 4.0, 0.0, 0.0);
-    encloses(&ground.about(12.0, [12.0, LENGTH]), 4.0, -3.5, 0.0);
-    encloses(&ground.about(LENGTH, [12.0, LENGTH]), -4.0, 0.0, 0.0);
+    encloses(&ground.about(8.0, 8.0), 4.0, 0.0, 0.0);
+    encloses(&ground.about(12.0, 12.0), 4.0, -3.5, 0.0);
+    encloses(&ground.about(LENGTH, 12.0), -4.0, 0.0, 0.0);
     assert_eq!(
-        ground.about(0.5, [0.5, 1.0]).coefficients(),
+        ground.about(0.5, 0.5).coefficients(),
         [Interval::exact(2.0), Interval::ZERO],
         "a level stretch is level without rounding"
     );

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use palkki::scene::file::{FileError, Problem};
-use palkki::scene::{Balance, Quantity, Scene, SceneError, Support, Unheld};
+use palkki::scene::{Balance, Foundation, Quantity, Scene, SceneError, Support, Unheld};
 
 use crate::authority::RBig;
 use crate::authority::statics::{exactly, resultant_and_moment};
