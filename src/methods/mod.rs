@@ -31,10 +31,11 @@ mod statics;
 pub(crate) mod supports;
 mod turns;
 
-pub use answer::{Nodal, contact_state, free_beam};
+pub(crate) use answer::contact_state;
+pub use answer::{Nodal, free_beam};
 pub use discrete::Discrete;
 pub use force::flexibility;
-pub use rigid::is_on_one_node;
+pub(crate) use rigid::is_on_one_node;
 pub use sparse::unsigned;
 
 use std::f64::consts::PI;

@@ -93,7 +93,7 @@ const IN_BALANCE: f64 = 1e-12;
 /// Whether one node alone carries a beam that its supports do not hold, with the loads in balance above it.
 #[must_use]
 #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
-pub fn is_on_one_node(discrete: &Discrete, balance: &Balance, nodal: &Nodal) -> bool {
+pub(crate) fn is_on_one_node(discrete: &Discrete, balance: &Balance, nodal: &Nodal) -> bool {
     if *balance == Balance::Held || nodal.contact_force.iter().any(|p| p.is_nan()) {
         return false;
     }

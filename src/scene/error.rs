@@ -338,7 +338,7 @@ pub enum SceneError {
 impl SceneError {
     /// What is wrong with a dimensionless scene on a grid, in the units of the scene.
     #[must_use]
-    pub fn in_units_of(mut self, scale: &Scale) -> Self {
+    pub(crate) fn in_units_of(mut self, scale: &Scale) -> Self {
         if let Self::BetweenNodes { at, .. } = &mut self {
             *at *= scale.length;
         }
@@ -347,7 +347,7 @@ impl SceneError {
 
     /// The quantity that the error is about, if it is about a single one: a scene file uses it to find the line.
     #[must_use]
-    pub fn quantity(&self) -> Option<Quantity> {
+    pub(crate) fn quantity(&self) -> Option<Quantity> {
         let whole = |of| Some(Quantity::Profile(of, ProfileKey::Whole));
         match *self {
             Self::NotPositive { quantity, .. }

@@ -31,7 +31,7 @@ impl Scene {
     /// # Errors
     ///
     /// [`SceneError::NotKnown`] if not, naming what asked for it.
-    pub fn is_grounded_throughout(&self, what: &'static str) -> Result<(), SceneError> {
+    pub(crate) fn is_grounded_throughout(&self, what: &'static str) -> Result<(), SceneError> {
         let is_open = self.ground_parts().any(|(_, k)| k <= 0.0);
         if is_open { Err(SceneError::NotKnown { what, feature: "a gap in the foundation" }) } else { Ok(()) }
     }
@@ -42,7 +42,7 @@ impl Scene {
     /// # Errors
     ///
     /// [`SceneError::NotKnown`] if not, naming what asked for it.
-    pub fn bends_under_forces(&self, what: &'static str) -> Result<(), SceneError> {
+    pub(crate) fn bends_under_forces(&self, what: &'static str) -> Result<(), SceneError> {
         if self.ground_stiffness().is_some() {
             self.is_uniform(what)?;
         } else if self.beam.is_hinged() {
@@ -80,7 +80,7 @@ impl Scene {
     /// # Errors
     ///
     /// [`SceneError::NeedsRigidGround`] if not.
-    pub fn is_placed_by_forces(&self) -> Result<(), SceneError> {
+    pub(crate) fn is_placed_by_forces(&self) -> Result<(), SceneError> {
         if self.beam.is_held() {
             Ok(())
         } else {

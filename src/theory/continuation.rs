@@ -52,7 +52,7 @@ impl Exact {
     /// that can be followed from one scene to the other. Where there are no such contacts because one of them cannot go on, it
     /// is that. [`None`] if there are none for another reason.
     #[must_use]
-    pub fn violated_conditions(&self, scene: &Scene) -> Option<Vec<Condition>> {
+    pub(crate) fn violated_conditions(&self, scene: &Scene) -> Option<Vec<Condition>> {
         let (given, list, converged) = self.tried(scene)?;
         if !converged {
             return stopped(&given, &list).map(|condition| vec![condition]);
@@ -93,7 +93,7 @@ impl Exact {
     /// How far the contacts of this solution, kept as they are, are from violating a condition in `scene`: a smooth function of
     /// the numbers of the scene, negative where the condition is violated. [`None`] where it has no meaning.
     #[must_use]
-    pub fn margin(&self, scene: &Scene, condition: Condition) -> Option<f64> {
+    pub(crate) fn margin(&self, scene: &Scene, condition: Condition) -> Option<f64> {
         let Some((given, list)) = self.kept(scene) else { return condition.without_list() };
         condition.value(&given, &list)
     }
@@ -101,7 +101,7 @@ impl Exact {
     /// How far the contacts of this solution, kept as they are, are from violating each condition in `scene` that can be told before
     /// it fails. [`None`] if there are no such contacts there.
     #[must_use]
-    pub fn margins(&self, scene: &Scene) -> Option<Vec<(Condition, f64)>> {
+    pub(crate) fn margins(&self, scene: &Scene) -> Option<Vec<(Condition, f64)>> {
         let (given, list) = self.kept(scene)?;
         Some(all(&given, &list, &self.pattern().pulls))
     }
@@ -115,7 +115,7 @@ impl Exact {
 
     /// What it takes to prove bounds for it, in the same units.
     #[must_use]
-    pub fn work_of_bounds(&self) -> u64 {
+    pub(crate) fn work_of_bounds(&self) -> u64 {
         let parts = self.springs.as_ref().map_or(0, Springs::size);
         let lists = if self.springs.is_some() { 0 } else { JUDGED * self.work_of_lists() };
         lists + u64::try_from(parts * BOUNDS_OF_A_PART).unwrap_or(u64::MAX)
