@@ -12,7 +12,7 @@ use crate::certificate::{CERTIFIED_RESIDUAL, Kkt};
 use crate::methods::{self, Discrete, Nodal};
 use crate::multigrid;
 use crate::route::{Method, Solution, Solver};
-use crate::scene::{Balance, Scene, SceneError, Unheld};
+use crate::scene::{Scene, SceneError};
 use crate::solvers::{Answer, Run};
 use crate::state::Standing;
 use crate::theory::{self, Exact, TheoryError};
@@ -141,8 +141,8 @@ impl Exact {
 ///
 /// # Errors
 ///
-/// A [`SceneError`] if a support is between the nodes of the grid, if nothing balances the loads, if one place alone carries the
-/// beam, or if the scene leaves the range of `f64`. A solver that fails is no error: [`Solution::solved`] is false then.
+/// A [`SceneError`] if a support is between the nodes of the grid, if nothing balances the loads, or if the scene leaves the range
+/// of `f64`. A solver that fails is no error: [`Solution::solved`] is false then.
 pub fn solve_raw(scene: &Scene, settings: &Settings) -> Result<Solution<()>, SceneError> {
     by_route(scene, settings, Start::Anywhere)
 }
@@ -182,30 +182,26 @@ fn by_route(scene: &Scene, settings: &Settings, start: Start<'_>) -> Result<Solu
     let scaled = scene.scaled()?;
     let discrete = Discrete::new(&scaled.scene, intervals).map_err(|error| error.in_units_of(&scaled.scale))?;
     let discretisation = method.discretisation();
-    let on_one_place = || {
-        let balance = scaled.balance.in_units_of(&scaled.scale);
-        SceneError::Unheld(Unheld::OnOnePlace { at: balance.resultant().map_or(f64::NAN, |resultant| resultant.at) })
-    };
-    // With fewer places to touch than it takes to hold it.
-    let touchable = if scene.has_obstacle() { discrete.unknowns() } else { 0 };
-    if scaled.balance != Balance::Held && touchable < discrete.supports().lacking() {
-        return Err(on_one_place());
-    }
-    let (nodal, answer, unknowns) = if !scene.has_obstacle() {
+    let (mut nodal, answer, unknowns) = if !scene.has_obstacle() {
         (methods::free_beam(&discrete, discretisation), Answer::empty("no foundation, nothing to solve".to_owned()), 0)
     } else {
         // On nested grids, in contact forces and without the program, whatever the method. Without ground there are few places to
         // touch, of which coarser grids have none.
         let nested = solver == Solver::ActiveSet && !discrete.is_open();
+        let alone = discrete.unknowns() < discrete.supports().lacking();
         let program = method.qp(&discrete);
         let mut answer = match (start, solver) {
             (Start::LeftOut(why), _) => Answer::refused(program.dimension(), why),
+            // A single place to touch: it carries the beam, if the loads are in balance there.
+            _ if alone => Answer { x: vec![0.0], gradient: vec![0.0], ..Answer::empty("nothing to solve".to_owned()) },
             (Start::Near(witness), Solver::ActiveSet) if nested => near(witness, &scaled.scene, method, &discrete)?,
             (Start::Anywhere, Solver::ActiveSet) if nested => multigrid::solve(&scaled.scene, method, &discrete, None)?,
             (_, other) => other.run(program.as_ref(), tolerance),
         };
         let (x, gradient) = (take(&mut answer.x), take(&mut answer.gradient));
-        let nodal = if nested {
+        let nodal = if alone {
+            Nodal::resting(&discrete, discretisation)
+        } else if nested {
             // Contact forces and clearances, by all methods.
             Nodal::new(&discrete, discretisation, gradient, x)
         } else {
@@ -213,11 +209,15 @@ fn by_route(scene: &Scene, settings: &Settings, start: Start<'_>) -> Result<Solu
         };
         (nodal, answer, program.dimension())
     };
-    if methods::is_on_one_node(&discrete, &scaled.balance, &nodal) {
-        return Err(on_one_place());
+    // A beam in balance on one place may have many positions: take the one nearest to slope zero.
+    let mut motion = None;
+    if let Some(node) = methods::single_contact(&discrete, &scaled.balance, &nodal)
+        && let Some((nearest, free)) = methods::balanced(&discrete, discretisation, node)
+    {
+        (nodal, motion) = (nearest, free);
     }
     let mut state = methods::contact_state(discrete, nodal);
-    state.standing = scaled.balance.resultant().map(|resultant| Standing::of(&state, resultant, None));
+    state.standing = scaled.balance.resultant().map(|resultant| Standing::of(&state, resultant, motion));
 
     let residual = Kkt::of(&scaled.scene, &state).map_or(f64::INFINITY, |kkt| kkt.residual());
     let state = state.in_units_of(&scaled.scale);

@@ -94,8 +94,15 @@ impl Nodal {
         nodal
     }
 
+    /// A beam that one place carries, before it is known how: at rest, and pressed by nothing.
+    #[must_use]
+    pub fn resting(discrete: &Discrete, discretisation: Discretisation) -> Self {
+        let nothing = || vec![0.0; discrete.nodes().len()];
+        Self { discretisation, deflection: nothing(), clearance: nothing(), contact_force: nothing() }
+    }
+
     /// Clearances of open nodes are infinite.
-    fn leave_open(&mut self, discrete: &Discrete) {
+    pub(super) fn leave_open(&mut self, discrete: &Discrete) {
         let first = discrete.nodes().start;
         let stands = |node: usize| discrete.supports().bearings().iter().any(|bearing| bearing.node == node);
         for node in discrete.nodes().filter(|node| discrete.is_open() && !stands(*node)) {

@@ -35,7 +35,7 @@ pub(crate) use answer::contact_state;
 pub use answer::{Nodal, free_beam};
 pub use discrete::Discrete;
 pub use force::flexibility;
-pub(crate) use rigid::is_on_one_node;
+pub(crate) use rigid::{balanced, single_contact};
 pub use sparse::unsigned;
 
 use std::f64::consts::PI;

@@ -1,12 +1,70 @@
-//! The motion of a beam as a whole, where its supports leave it free: where it would rest if it were rigid, and whether one place alone
-//! carries it. There the forces are certain, and of its position a grid knows nothing: beam theory alone has that.
+//! The motion of a beam as a whole, where its supports leave it free: where it would rest if it were rigid, and a beam in balance on
+//! a single place, whose forces are certain and whose position is one of an interval.
+//!
+//! ```text
+//! v(x) = v₀(x) + θ (x − a)         v₀: in balance at a, with slope 0 there
+//! h = g − v ≥ 0 at all nodes       an interval of slopes, which may be without end on a side
+//! ```
+//!
+//! Where a smooth place of the ground carries it, the beam has the slope of the ground there: that it could turn until a neighbouring
+//! node touches is an effect of the grid. At a corner the slopes of its two sides are limits as well.
 
-use super::Discrete;
+use std::sync::Arc;
+
 use super::answer::Nodal;
+use super::supports::NodeSupport;
+use super::{Discrete, held_beam};
 use crate::qp::FreeSet;
-use crate::scene::Balance;
+use crate::scene::{Balance, Foundation, Held};
+use crate::state::{Discretisation, Motion};
+
+/// Slopes, and depths, that differ by less than this share of their size are equal.
+const SAME_SLOPE: f64 = 64.0 * f64::EPSILON;
 
 impl Discrete {
+    /// Slopes of the gap to the left and to the right of a node, between which a beam may lie that touches there; infinite on the
+    /// deeper side of a step, and beyond an end of the beam. Equal but for rounding are equal.
+    fn slopes_at(&self, node: usize) -> [f64; 2] {
+        // The ground is farther down on both sides.
+        if self.supports().below(node).is_some() {
+            return [f64::NEG_INFINITY, f64::INFINITY];
+        }
+        let x = self.grid.place(node);
+        let sides =
+            |profile: &Option<Arc<Foundation>>| profile.as_ref().map_or([[0.0; 2]; 2], |profile| profile.sides(x));
+        let (ground, own) = (sides(&self.profile), sides(&self.shape));
+        let gap = |side: usize| ground[side][0] - own[side][0];
+        let slope = |side: usize| ground[side][1] - own[side][1];
+        let size = [ground, own].as_flattened().iter().fold(0.0, |size: f64, [_, slope]| size.max(slope.abs()));
+        let slopes = if slope(1) - slope(0) <= SAME_SLOPE * size {
+            [0.5 * (slope(0) + slope(1)); 2]
+        } else {
+            [slope(0), slope(1)]
+        };
+        let falls = |side: usize| self.gap(node) < gap(side) - SAME_SLOPE * self.depth_rounding(node);
+        [
+            if node == 0 || falls(0) { f64::NEG_INFINITY } else { slopes[0] },
+            if node == self.intervals || falls(1) { f64::INFINITY } else { slopes[1] },
+        ]
+    }
+
+    /// The same beam, held at one node alone at a given slope, where it is held or touches the ground now; above ground at zero.
+    fn turned_about(&self, node: usize, slope: f64) -> Self {
+        let below = self.supports().at(node).map_or(0.0, |support| support.below);
+        let (at, deflection) = (self.grid.place(node), self.level(node));
+        let held =
+            Held { at, deflection, slope: Some(slope), turning: None, at_level: [false; 2], tangent: [false; 2] };
+        self.on(self.supports().holding(vec![NodeSupport { node, held, below }]), self.loads.clone())
+    }
+
+    /// The node at the one place about which the beam is free to turn, if the loads are in balance there.
+    fn pivot(&self, balance: &Balance) -> Option<usize> {
+        match balance {
+            Balance::Neutral { about, .. } => self.grid.node_at(*about),
+            Balance::Held | Balance::Stands(_) => None,
+        }
+    }
+
     /// The resultant of the nodal loads: the force, and its moment about the left end, with lengths in intervals.
     #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
     fn resultant(&self) -> [f64; 2] {
@@ -90,23 +148,86 @@ fn lower_hull(points: impl Iterator<Item = (usize, f64)>) -> Vec<usize> {
 /// Forces below this share of all others are rounding: what balances does not turn.
 const IN_BALANCE: f64 = 1e-12;
 
-/// Whether one node alone carries a beam that its supports do not hold, with the loads in balance above it.
+/// The beam that is carried by one node alone, with the slope nearest to zero of those that it may have, and these if there is more
+/// than one. [`None`] if the ground beside holds it.
 #[must_use]
 #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
-pub(crate) fn is_on_one_node(discrete: &Discrete, balance: &Balance, nodal: &Nodal) -> bool {
+pub(crate) fn balanced(
+    discrete: &Discrete,
+    discretisation: Discretisation,
+    node: usize,
+) -> Option<(Nodal, Option<Motion>)> {
+    let nodes = discrete.nodes();
+    let deflections = |slope: f64| {
+        let turned = discrete.turned_about(node, slope);
+        let mut deflection = held_beam::on_supports(&turned, discretisation).ok()?.deflection();
+        // A free end that carries the beam alone is held here and none of the nodes; the other end is free too, and node 0 the first.
+        if deflection.len() < nodes.len() {
+            deflection.insert(node, discrete.level(node));
+        }
+        Some(deflection)
+    };
+    let clearances = |deflection: &[f64]| -> Vec<f64> {
+        let open = |((i, g), v): ((usize, &f64), &f64)| {
+            let rounding = held_beam::UNITS * f64::EPSILON * (discrete.depth_rounding(i) + v.abs());
+            if (g - v).abs() <= rounding { 0.0 } else { g - v }
+        };
+        nodes.clone().zip(&discrete.depths).zip(deflection).map(open).collect()
+    };
+    let mut least = f64::NEG_INFINITY;
+    let mut most = f64::INFINITY;
+    for (i, h) in
+        nodes.clone().zip(clearances(&deflections(0.0)?)).filter(|(i, _)| *i != node && !discrete.is_open_at(*i))
+    {
+        let limit = h / (discrete.spacing * i.abs_diff(node) as f64);
+        if node < i {
+            most = most.min(limit);
+        } else {
+            least = least.max(-limit);
+        }
+    }
+    if most < least || least.is_nan() || most.is_nan() {
+        return None;
+    }
+    if discrete.supports().at(node).is_none() {
+        let [left, right] = discrete.slopes_at(node);
+        // A smooth place may lie between nodes: of the slopes that the grid leaves, the nearest one.
+        [least, most] = [left.clamp(least, most), right.clamp(least, most)];
+    }
+    let end = |slope: f64| slope.is_finite().then_some(slope);
+    let motion = (least < most).then(|| Motion { about: discrete.grid.place(node), slope: [end(least), end(most)] });
+    let deflection = deflections(0.0_f64.max(least).min(most))?;
+    // Where the slope is the limit, rounding may be left of the clearance.
+    let clearance = clearances(&deflection).into_iter().map(|h| h.max(0.0)).collect();
+    let mut contact_force = vec![0.0; nodes.len()];
+    if discrete.supports().at(node).is_none() {
+        contact_force[node - nodes.start] = discrete.resultant()[0];
+    }
+    let mut nodal = Nodal { discretisation, deflection, clearance, contact_force };
+    nodal.leave_open(discrete);
+    Some((nodal, motion))
+}
+
+/// The node that carries a beam alone which its supports do not hold, if there is one and the loads are in balance on it: the place
+/// above which their resultant is, or the only contact that was found.
+#[must_use]
+pub(crate) fn single_contact(discrete: &Discrete, balance: &Balance, nodal: &Nodal) -> Option<usize> {
     if *balance == Balance::Held || nodal.contact_force.iter().any(|p| p.is_nan()) {
-        return false;
+        return None;
     }
     let [force, moment] = discrete.resultant();
     let size: f64 = discrete.loads.iter().map(|q| q.abs()).sum();
     let carries = |p: &f64| IN_BALANCE * size < *p;
     let mut touching = discrete.nodes().zip(&nodal.contact_force).filter(|(_, p)| carries(p)).map(|(node, _)| node);
     let only = match (discrete.supports().all().first(), touching.next(), touching.next()) {
-        (Some(support), None, _) => support.node,
-        (None, Some(node), None) => node,
-        _ => return false,
+        (Some(support), None, _) => Some(support.node),
+        (None, Some(node), None) => Some(node),
+        _ => None,
     };
-    (moment - force * only as f64).abs() <= IN_BALANCE * size * discrete.intervals as f64
+    #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
+    let in_balance =
+        |node: &usize| (moment - force * *node as f64).abs() <= IN_BALANCE * size * discrete.intervals as f64;
+    discrete.pivot(balance).or(only.filter(in_balance))
 }
 
 #[cfg(test)]

@@ -98,16 +98,6 @@ pub enum Unheld {
         /// Its place \[length\].
         at: f64,
     },
-    /// One place alone carries the beam, and a grid does not tell how it stands there.
-    #[error(
-        "the loads are in balance above x = {}, the one place that carries the beam: how it stands there no grid tells, but beam theory \
-         does (--method exact)",
-        shown(*at)
-    )]
-    OnOnePlace {
-        /// That place \[length\].
-        at: f64,
-    },
     /// There is no load, or the loads balance each other.
     #[error("no load presses on the beam: any position is one of rest")]
     NothingPresses,
@@ -308,7 +298,6 @@ impl Unheld {
                 Self::Overturns { force: force * scale.force, at: at * scale.length, grounded, ends }
             }
             Self::OnBorder { force, at } => Self::OnBorder { force: force * scale.force, at: at * scale.length },
-            Self::OnOnePlace { at } => Self::OnOnePlace { at: at * scale.length },
             Self::PulledUp { force } => Self::PulledUp { force: force * scale.force },
             Self::Couple { moment } => Self::Couple { moment: moment * scale.moment() },
             Self::Turns { grounded, at, moment } => {

@@ -5,7 +5,7 @@ mod dense;
 mod reference;
 
 use palkki::route::{Method, Solver};
-use palkki::scene::{Beam, Foundation, LinearLoad, Load, Quantity, Scene, SceneError, Support, Unheld};
+use palkki::scene::{Beam, Foundation, LinearLoad, Load, Quantity, Scene, SceneError, Support};
 use palkki::state::ContactState;
 use palkki::{Settings, solve_raw};
 use palkki_evidence::draft::Draft;
@@ -71,30 +71,57 @@ fn the_papers_beam_is_one_of_all() {
     }
 }
 
-/// In balance on one support, on a hump, a ridge, the edge of a step, and on a plane from which loads lift both tips: how it stands there
-/// no grid tells.
+/// In balance on one support, `l/2` on both sides: a beam that hangs by `q (l/2)⁴/8EI` at its tips, and may turn until one of these
+/// touches.
 #[test]
-fn a_beam_on_one_place_is_refused() {
-    let ground = |points: Vec<[f64; 2]>| Some(Foundation::Polyline { points });
-    let ridge = ground(vec![[0.0, 1.0], [3.0, 0.4], [LENGTH, 3.0]]);
-    let step = ground(vec![[0.0, 1.0], [3.0, 1.0], [3.0, 3.0], [LENGTH, 3.0]]);
-    let one: (f64, &[(f64, f64)]) = (0.0, &[(3.0, 1.0)]);
-    let tips: (f64, &[(f64, f64)]) = (0.0, &[(0.0, -1.0), (3.0, 5.0), (6.0, -1.0)]);
-    let middle = vec![Support::simple(0.5 * LENGTH)];
-    for (place, scene) in [
-        (5.0, scene(middle.clone(), UNIFORM, None, None)),
-        (5.0, scene(middle, UNIFORM, flat(1e3), None)),
-        (3.0, scene(Vec::new(), one, polynomial(&[2.5, -1.0, 0.1]), None)),
-        (3.0, scene(Vec::new(), one, ridge, None)),
-        (3.0, scene(Vec::new(), one, step, None)),
-        (3.0, scene(Vec::new(), tips, flat(0.0), None)),
-    ] {
+fn a_beam_in_balance_may_turn() {
+    let hangs = libm::pow(0.5 * LENGTH, 4.0) / (8.0 * STIFFNESS);
+    let depth = hangs + 10.0;
+    for (ground, expected) in [(None, None), (flat(depth), Some(10.0 / (0.5 * LENGTH)))] {
+        let scene = scene(vec![Support::simple(0.5 * LENGTH)], UNIFORM, ground, None);
         for method in Method::ALL {
             for solver in [Solver::ActiveSet, Solver::FourStep] {
-                let refused = solve_raw(&scene, &Settings::new(method, solver, 40)).expect_err("one place");
-                let SceneError::Unheld(Unheld::OnOnePlace { at }) = refused else { panic!("{method}: {refused}") };
-                assert!((at - place).abs() < 1e-12, "{method}: {at}");
+                let state = run(&scene, method, solver, 400).state;
+                let motion = state.standing.and_then(|standing| standing.motion).expect("it may turn");
+                assert!((motion.about - 0.5 * LENGTH).abs() < 1e-12);
+                match (motion.slope, expected) {
+                    ([None, None], None) => {}
+                    ([Some(least), Some(most)], Some(slope)) => {
+                        assert!((most - slope).abs() < 1e-3 && (least + slope).abs() < 1e-3, "{motion:?}");
+                    }
+                    (slopes, _) => panic!("{slopes:?} instead of {expected:?}"),
+                }
+                let deflections = &nodes_of(&state).deflection;
+                assert!((deflections[0] - deflections[400]).abs() < 1e-9 * hangs, "it is level");
+                assert!((state.supports[0].force - LENGTH).abs() < 1e-12 * LENGTH);
             }
+        }
+    }
+}
+
+/// A rigid body, nearly, on the top of a hump: the slope of the ground there. On a ridge it may have any between those of its sides, and
+/// on the edge of a step from that of the upper side until its end is on the lower one.
+#[test]
+fn one_contact_gives_the_slope_where_the_ground_is_smooth() {
+    let smooth = scene(Vec::new(), (0.0, &[(3.0, 1.0)]), polynomial(&[2.5, -1.0, 0.1]), None);
+    let ridge = Foundation::Polyline { points: vec![[0.0, 1.0], [3.0, 0.4], [LENGTH, 3.0]] };
+    let ridge = scene(Vec::new(), (0.0, &[(3.0, 1.0)]), Some(ridge), None);
+    let step = Foundation::Polyline { points: vec![[0.0, 1.0], [3.0, 1.0], [3.0, 3.0], [LENGTH, 3.0]] };
+    let step = scene(Vec::new(), (0.0, &[(3.0, 1.0)]), Some(step), None);
+    let lifted_ends = scene(Vec::new(), (0.0, &[(0.0, -1.0), (3.0, 5.0), (6.0, -1.0)]), flat(0.0), None);
+    assert_eq!(state(&lifted_ends, Method::Force, 30).standing.expect("free").motion, None);
+    for method in Method::ALL {
+        let found = state(&smooth, method, 40);
+        assert_eq!(found.standing.expect("free").motion, None);
+        let x = nodes_of(&found);
+        let slope = (x.deflection[40] - x.deflection[0]) / LENGTH;
+        assert!((slope - (-1.0 + 0.2 * 3.0)).abs() < 1e-12, "{slope}");
+        for (edge, expected) in [(&ridge, [-0.2, 2.6 / 7.0]), (&step, [0.0, 2.0 / 7.0])] {
+            let found = state(edge, method, 40);
+            let motion = found.standing.expect("free").motion.expect("it may turn");
+            let [Some(least), Some(most)] = motion.slope else { panic!("{motion:?}") };
+            assert!((least - expected[0]).abs() < 1e-12 && (most - expected[1]).abs() < 1e-12, "{motion:?}");
+            assert!(found.deflection.max - found.deflection.min < 1e-12, "slope zero is the nearest");
         }
     }
 }
@@ -142,5 +169,28 @@ fn a_tip_touches_or_lifts() {
         assert!((state.contact_force() - 4.0).abs() < 1e-9, "in balance");
         let turned: f64 = nodes.x.iter().zip(&nodes.contact_force).map(|(x, p)| x * p).sum();
         assert!((turned - (50.0 - 6.0 * 8.0)).abs() < 1e-8, "in balance about the left tip: {turned}");
+    }
+}
+
+/// Loads that are in balance above one node: the beam stands on it alone, and a second contact is at zero. Where two contacts reach
+/// zero together, one of them has to stay in the set.
+#[test]
+fn beams_in_balance_on_one_node_have_an_answer_on_every_grid() {
+    for (place, reach, pull) in
+        [(3.0, 3.0, -1.0), (2.0, 1.0, -1.0), (3.0, 2.0, -2.0), (5.0, 4.0, -1.0), (7.0, 3.0, -2.0)]
+    {
+        let loads = [(place - reach, pull), (place, 5.0), (place + reach, pull)];
+        let scene = scene(Vec::new(), (0.0, &loads), flat(1.0), None);
+        for method in Method::ALL {
+            for intervals in [10, 20, 30, 40, 50, 60, 80, 100] {
+                let state = state(&scene, method, intervals);
+                let [contact] = state.contacts.as_slice() else {
+                    panic!("{method}, {intervals}: {:?}", state.contacts)
+                };
+                let force = 5.0 + 2.0 * pull;
+                assert!((contact.force - force).abs() <= 1e-12 * force, "{method}, {intervals}: {contact:?}");
+                assert!((contact.from - place).abs() <= 1e-12, "{method}, {intervals}: {contact:?}");
+            }
+        }
     }
 }
