@@ -28,7 +28,7 @@ pub struct SupportForce {
 impl SupportForce {
     /// That of a support that only pushes.
     #[must_use]
-    pub fn pushing(at: f64, force: f64) -> Self {
+    pub(crate) fn pushing(at: f64, force: f64) -> Self {
         Self { at, force, moment: None, couple: 0.0, pushes_only: true }
     }
 }
@@ -292,7 +292,7 @@ impl ContactState {
 
     /// A dimensionless state in the units of its scene. All factors are powers of two: only exponents change.
     #[must_use]
-    pub fn in_units_of(self, scale: &Scale) -> Self {
+    pub(crate) fn in_units_of(self, scale: &Scale) -> Self {
         let Scale { length, depth, force } = *scale;
         // A unit of one is frequent, and a million products are not free.
         let times = |values: Vec<f64>, unit: f64| match unit {

@@ -83,7 +83,7 @@ pub struct Errors {
 
 impl Errors {
     /// Where nothing is proven.
-    pub const UNKNOWN: Self = {
+    pub(crate) const UNKNOWN: Self = {
         let unknown = Off { least: 0.0, most: f64::INFINITY, share: f64::INFINITY };
         Self { clearance: unknown, force: unknown, energy: unknown }
     };

@@ -5,6 +5,7 @@ use super::kernel::foundation::EnclosedFoundation;
 use super::kernel::gap::EnclosedGap;
 use super::kernel::giving::{Giving, SaidSpring};
 use super::kernel::interval::Interval;
+use super::kernel::load::EnclosedLoad;
 use super::kernel::tension::Hung;
 use super::standing;
 use crate::scene::{Balance, Foundation, Scaled, Scene, SceneError, Support};
@@ -44,23 +45,10 @@ pub(super) fn with_springs<R>(
     let ground = EnclosedFoundation { bearings: &bearings, ..profile(ground.unwrap_or(&NONE)) };
     let gap = EnclosedGap { ground, shape: profile(shape.unwrap_or(&STRAIGHT)) };
     let (mut load, mut supports) = (standing::between(scene), EnclosedSupport::of(scene, &gap));
-    let mut said = Vec::new();
-    for (support, &(touches, [force, couple])) in scene.beam().springs().iter().zip(springs) {
-        let (x, gives) = (support.at, Giving::of(support, gap.shape.jet(support.at, false)));
-        if !touches && (0.0 < force || !gives.pushes) {
-            supports.push(EnclosedSupport::giving(x, gives, force));
-            continue;
-        }
-        let force = if gives.pushes { force.max(0.0) } else { force };
-        said.push(SaidSpring { x, gives, force, couple });
-        load.points.push((x, Interval::exact(-force)));
-        load.couples.extend(gives.turning.map(|_| (x, Interval::exact(couple))));
-    }
-    if !springs.is_empty() {
-        supports.sort_by(|a, b| a.x.total_cmp(&b.x));
-        load.points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        load.couples.sort_by(|a, b| a.0.total_cmp(&b.0));
-    }
+    let giving = scene.beam().springs().iter().zip(springs);
+    let giving =
+        giving.map(|(support, said)| (Giving::of(support, gap.shape.jet(support.at, false)), support.at, *said));
+    let said = if springs.is_empty() { Vec::new() } else { with_said(giving, &mut load, &mut supports) };
     let turns = |about: &f64| !supports.iter().any(|s| s.is_fixed && (s.x - about).abs() <= 0.0);
     let balanced_at = match balance {
         Balance::Neutral { about, .. } => Some(about).filter(turns),
@@ -90,4 +78,27 @@ pub(super) fn with_springs<R>(
         tension: beam.tension(),
         hung,
     })
+}
+
+/// Takes supports that give as supports or as loads, as it is said of them; those that are loads come back.
+fn with_said(
+    springs: impl Iterator<Item = (Giving, f64, (bool, [f64; 2]))>,
+    load: &mut EnclosedLoad,
+    supports: &mut Vec<EnclosedSupport>,
+) -> Vec<SaidSpring> {
+    let mut said = Vec::new();
+    for (gives, x, (touches, [force, couple])) in springs {
+        if !touches && (0.0 < force || !gives.pushes) {
+            supports.push(EnclosedSupport::giving(x, gives, force));
+            continue;
+        }
+        let force = if gives.pushes { force.max(0.0) } else { force };
+        said.push(SaidSpring { x, gives, force, couple });
+        load.points.push((x, Interval::exact(-force)));
+        load.couples.extend(gives.turning.map(|_| (x, Interval::exact(couple))));
+    }
+    supports.sort_by(|a, b| a.x.total_cmp(&b.x));
+    load.points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    load.couples.sort_by(|a, b| a.0.total_cmp(&b.0));
+    said
 }

@@ -188,7 +188,7 @@ pub struct LoadSketch {
 impl LoadSketch {
     /// Whether there is anything to draw.
     #[must_use]
-    pub fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         let none = |acts: &[(f64, f64, String)]| acts.iter().all(|p| p.1 == 0.0);
         self.intensity.iter().all(|p| p[1] == 0.0) && none(&self.points) && none(&self.couples)
     }

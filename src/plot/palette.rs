@@ -70,21 +70,21 @@ impl Color {
     /// Bluish green.
     pub const GREEN: Self = Self(0, 158, 115);
     /// Reddish purple.
-    pub const PURPLE: Self = Self(204, 121, 167);
+    pub(crate) const PURPLE: Self = Self(204, 121, 167);
     /// Orange.
     pub const ORANGE: Self = Self(230, 159, 0);
     /// Sky blue.
     pub const SKY: Self = Self(86, 180, 233);
     /// White: the paper.
-    pub const WHITE: Self = Self(255, 255, 255);
+    pub(crate) const WHITE: Self = Self(255, 255, 255);
     /// Dark grey: secondary text, beam theory.
     pub const GRAY: Self = Self(90, 90, 90);
     /// Light grey: grid lines.
-    pub const GRID: Self = Self(225, 225, 225);
+    pub(crate) const GRID: Self = Self(225, 225, 225);
     /// Pale grey: areas of beam theory.
     pub const PALE: Self = Self(190, 190, 190);
     /// Grey of the foundation.
-    pub const GROUND: Self = Self(222, 217, 208);
+    pub(crate) const GROUND: Self = Self(222, 217, 208);
 }
 
 /// How a line is drawn.

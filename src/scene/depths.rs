@@ -2,23 +2,20 @@
 
 use super::Foundation;
 use super::foundation::between;
-use super::polynomial;
 
 impl Foundation {
     /// `u(x)` at ascending places, each as [`depth`](Self::depth) has it \[length\]. `depths` is as long as `places`.
     pub fn depths(&self, places: &[f64], depths: &mut [f64]) {
         match self {
             Self::Flat { depth } => depths.fill(*depth),
-            Self::Polynomial { coefficients } if polynomial::long_degree(coefficients).is_none() => {
+            Self::Polynomial { coefficients } => {
                 // Horner's scheme, one coefficient at all places after the other.
                 depths.fill(0.0);
                 for c in coefficients.iter().rev() {
                     depths.iter_mut().zip(places).for_each(|(sum, x)| *sum = *sum * x + c);
                 }
             }
-            Self::Polynomial { .. } | Self::Cosine { .. } => {
-                depths.iter_mut().zip(places).for_each(|(u, x)| *u = self.depth(*x))
-            }
+            Self::Cosine { .. } => depths.iter_mut().zip(places).for_each(|(u, x)| *u = self.depth(*x)),
             Self::Polyline { points } => {
                 // The first point that is not to the left, found once and then walked with the places.
                 let mut after = places.first().map_or(0, |x| points.partition_point(|p| p[0] < *x));

@@ -44,11 +44,13 @@ pub enum SceneError {
         /// Where it ends.
         to: f64,
     },
-    /// A polynomial without coefficients.
-    #[error("`{}.polynomial` needs at least one coefficient, but has none", of.path())]
-    NoCoefficients {
+    /// A polynomial without coefficients, or with so many that 64 bits do not keep the digits of their sum.
+    #[error("`{}.polynomial` must have from 1 to {} coefficients, but has {count}; in place of more give points, or a survey", of.path(), super::polynomial::COEFFICIENTS)]
+    Coefficients {
         /// Of which profile.
         of: Profile,
+        /// How many there are, up to the last one that is not zero.
+        count: usize,
     },
     /// A polyline of fewer than two points.
     #[error("{of} given by points needs at least 2 of them, but has {count}")]
@@ -336,18 +338,16 @@ pub enum SceneError {
 impl SceneError {
     /// What is wrong with a dimensionless scene on a grid, in the units of the scene.
     #[must_use]
-    pub fn in_units_of(self, scale: &Scale) -> Self {
-        match self {
-            Self::BetweenNodes { quantity, at, intervals, fits } => {
-                Self::BetweenNodes { quantity, at: at * scale.length, intervals, fits }
-            }
-            other => other,
+    pub(crate) fn in_units_of(mut self, scale: &Scale) -> Self {
+        if let Self::BetweenNodes { at, .. } = &mut self {
+            *at *= scale.length;
         }
+        self
     }
 
     /// The quantity that the error is about, if it is about a single one: a scene file uses it to find the line.
     #[must_use]
-    pub fn quantity(&self) -> Option<Quantity> {
+    pub(crate) fn quantity(&self) -> Option<Quantity> {
         let whole = |of| Some(Quantity::Profile(of, ProfileKey::Whole));
         match *self {
             Self::NotPositive { quantity, .. }
@@ -370,7 +370,7 @@ impl SceneError {
             | Self::NoSteps { of: quantity }
             | Self::BetweenNodes { quantity, .. }
             | Self::Overflow { quantity, .. } => Some(quantity),
-            Self::NoCoefficients { of } | Self::TooFewPoints { of, .. } => whole(of),
+            Self::Coefficients { of, .. } | Self::TooFewPoints { of, .. } => whole(of),
             Self::AboveSupport { .. } | Self::BearingInGround { .. } => whole(Profile::Foundation),
             Self::RisesAtBuiltIn { .. } | Self::ValleyAtSupport { .. } => whole(Profile::Foundation),
             Self::CornerAtBuiltIn { .. } => whole(Profile::Shape),

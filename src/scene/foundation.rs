@@ -70,8 +70,9 @@ impl Foundation {
                 finite(number(ProfileKey::Depth), *depth)?;
             }
             Self::Polynomial { coefficients } => {
-                if coefficients.is_empty() {
-                    return Err(SceneError::NoCoefficients { of });
+                let count = polynomial::used(coefficients).len();
+                if !(1..=polynomial::COEFFICIENTS).contains(&count) {
+                    return Err(SceneError::Coefficients { of, count });
                 }
                 for (i, &c) in coefficients.iter().enumerate() {
                     finite(number(ProfileKey::Coefficient(i)), c)?;
@@ -113,7 +114,9 @@ impl Foundation {
     pub fn sides(&self, x: f64) -> [[f64; 2]; 2] {
         match self {
             Self::Flat { depth } => [[*depth, 0.0]; 2],
-            Self::Polynomial { coefficients } => [[self.depth(x), polynomial::slope(coefficients, x)]; 2],
+            Self::Polynomial { coefficients } => {
+                [[self.depth(x), polynomial::with_slope(coefficients.iter().copied(), x)[1]]; 2]
+            }
             Self::Cosine { amplitude, wavelength, phase, .. } => {
                 let rate = 2.0 * std::f64::consts::PI / wavelength;
                 let angle = 2.0 * std::f64::consts::PI * (x / wavelength) + phase;
@@ -195,7 +198,7 @@ impl Foundation {
     pub fn magnitude(&self, length: f64) -> f64 {
         match self {
             Self::Flat { depth } => depth.abs(),
-            Self::Polynomial { coefficients } => polynomial::magnitude(coefficients, length),
+            Self::Polynomial { coefficients } => polynomial::magnitudes_at(coefficients, length)[0],
             Self::Cosine { mean, amplitude, .. } => mean.abs() + amplitude.abs(),
             Self::Polyline { points } => points.iter().fold(0.0, |most, p| p[1].abs().max(most)),
         }

@@ -176,7 +176,7 @@ impl Grid {
     /// Gaps `g_i` below the undeflected beam at some neighbouring nodes, of a straight beam the depths `u_i`; infinite where there
     /// is no foundation.
     #[must_use]
-    pub fn gaps_at(&self, scene: &Scene, nodes: Range<usize>) -> Vec<f64> {
+    pub(crate) fn gaps_at(&self, scene: &Scene, nodes: Range<usize>) -> Vec<f64> {
         if let (Some(Foundation::Flat { depth }), None, []) =
             (scene.foundation(), scene.beam().shape(), scene.beam().bearings())
         {

@@ -111,7 +111,7 @@ impl Scene {
     }
 
     /// Parts of the beam with one stiffness of the foundation each, from end to end: `[from, to]` and `k`; none on rigid ground.
-    pub fn ground_parts(&self) -> impl Iterator<Item = ([f64; 2], f64)> + '_ {
+    pub(crate) fn ground_parts(&self) -> impl Iterator<Item = ([f64; 2], f64)> + '_ {
         self.given_stiffness().into_iter().flat_map(|stiffness| stiffness.parts(self.beam.length()))
     }
 
@@ -122,7 +122,7 @@ impl Scene {
 
     /// `k` just left and just right of a place; rigid ground, and none, has the stiffness 0.
     #[must_use]
-    pub fn ground_stiffness_beside(&self, x: f64) -> [f64; 2] {
+    pub(crate) fn ground_stiffness_beside(&self, x: f64) -> [f64; 2] {
         self.given_stiffness().map_or([0.0; 2], |stiffness| stiffness.beside(x))
     }
 

@@ -32,7 +32,7 @@ impl Scene {
     /// # Errors
     ///
     /// [`SceneError::NotKnown`] if not, naming what asked for it.
-    pub fn bends_under_forces(&self, what: &'static str) -> Result<(), SceneError> {
+    pub(crate) fn bends_under_forces(&self, what: &'static str) -> Result<(), SceneError> {
         if self.ground_stiffness().is_some() {
             self.is_uniform(what)?;
         } else if self.beam.is_hinged() {
@@ -70,7 +70,7 @@ impl Scene {
     /// # Errors
     ///
     /// [`SceneError::NeedsRigidGround`] if not.
-    pub fn is_placed_by_forces(&self) -> Result<(), SceneError> {
+    pub(crate) fn is_placed_by_forces(&self) -> Result<(), SceneError> {
         if self.beam.is_held() {
             Ok(())
         } else {

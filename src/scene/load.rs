@@ -25,7 +25,7 @@ pub struct LinearLoad {
 impl LinearLoad {
     /// Intensity at `x`, which lies between `from` and `to` \[force / length\].
     #[must_use]
-    pub fn intensity(&self, x: f64) -> f64 {
+    pub(crate) fn intensity(&self, x: f64) -> f64 {
         let s = (x - self.from) / (self.to - self.from);
         self.start + (self.end - self.start) * s
     }

@@ -78,7 +78,7 @@ impl Scene {
     /// # Errors
     ///
     /// Those of [`Scene::with_number`].
-    pub fn with_numbers(&self, values: impl IntoIterator<Item = (Quantity, f64)>) -> Result<Self, SceneError> {
+    pub(crate) fn with_numbers(&self, values: impl IntoIterator<Item = (Quantity, f64)>) -> Result<Self, SceneError> {
         let mut numbers = Numbers::of(self);
         for (quantity, value) in values {
             if let Some(number) = numbers.at(quantity) {

@@ -24,8 +24,7 @@ pub(super) fn place(x: f64) -> f64 {
 impl Foundation {
     /// The numbers that add up to its depth at a place of a beam of this length, where they may be rounded: at `x = 0` a
     /// polynomial is its first coefficient, however large the others. The depths of points and of a plane are given, and
-    /// nothing is added up. The size of a long polynomial is defined in `scene::polynomial`: never more than the
-    /// largest depth on the beam, so that no ground is level that is above a support by more than rounding of that depth.
+    /// nothing is added up.
     pub(crate) fn rounded_size(&self, x: f64, length: f64) -> f64 {
         match self {
             Self::Flat { .. } => 0.0,

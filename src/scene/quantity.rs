@@ -55,7 +55,7 @@ pub enum Profile {
 impl Profile {
     /// Its table in the scene file.
     #[must_use]
-    pub fn path(self) -> &'static str {
+    pub(crate) fn path(self) -> &'static str {
         match self {
             Self::Foundation => "foundation",
             Self::Shape => "beam.shape",

@@ -200,6 +200,11 @@ impl Explanation {
 }
 
 fn nodes(scene: &Scene, exact: &Exact) -> Vec<Node> {
+    found(scene, exact).into_iter().map(|found| Node::of(scene, exact, found)).collect()
+}
+
+/// The places of the nodes from left to right: what each is, its force, and whether the beam follows the ground there.
+fn found(scene: &Scene, exact: &Exact) -> Vec<(f64, What, f64, bool)> {
     let (beam, state) = (scene.beam(), &exact.state);
     let length = beam.length();
     let is_corner = |x: f64| {
@@ -210,8 +215,7 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<Node> {
         scene.foundation().into_iter().chain(beam.shape()).any(at_vertex)
     };
     let is_joined = |x: f64| beam.joints().iter().any(|joint| (joint.at - x).abs() <= SAME * length);
-    // What it is, its force, and whether the beam follows the ground there.
-    let mut found: Vec<(f64, What, f64, bool)> = Vec::new();
+    let mut found = Vec::new();
     for support in state.supports.iter().filter(|support| !has_lifted(support)) {
         let what = if support.moment.is_some() { What::BuiltIn } else { What::Support };
         found.push((support.at, what, support.force, what == What::BuiltIn));
@@ -245,7 +249,13 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<Node> {
         }
         same
     });
-    let node = |(x, what, force, follows): (f64, What, f64, bool)| {
+    found
+}
+
+impl Node {
+    /// With what beam theory says of its place.
+    fn of(scene: &Scene, exact: &Exact, (x, what, force, follows): (f64, What, f64, bool)) -> Self {
+        let length = scene.beam().length();
         let (deflection, moments) = (exact.deflection(x), exact.moments(x));
         let here = scene.load().concentrated().filter(|acts| (acts.at - x).abs() <= SAME * length);
         let [load, couple] = here.fold([0.0; 2], |sum, acts| [sum[0] + acts.force, sum[1] + acts.couple]);
@@ -260,12 +270,11 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<Node> {
             What::End => [load, 0.0],
             _ => [if here < x { beside(0, -here) } else { 0.0 }, if x + here < length { beside(1, here) } else { 0.0 }],
         };
-        let joint = beam.joints().iter().find(|joint| (joint.at - x).abs() <= SAME * length);
+        let joint = scene.beam().joints().iter().find(|joint| (joint.at - x).abs() <= SAME * length);
         let joint = joint.map(|joint| joint.stiffness.unwrap_or(0.0));
         let slope = follows.then(|| exact.slope(x));
-        Node { what, x, deflection, slope, moments, shears, load, couple, force, joint }
-    };
-    found.into_iter().map(node).collect()
+        Self { what, x, deflection, slope, moments, shears, load, couple, force, joint }
+    }
 }
 
 /// Whether it is a support that the beam has lifted off.

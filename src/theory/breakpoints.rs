@@ -57,24 +57,12 @@ impl PiecewiseScene {
         let at: Vec<usize> = bearings.iter().map(|bearing| places.partition_point(|&x| x < bearing.at)).collect();
         at.iter().zip(&bearings).for_each(|(&i, bearing)| breakpoints[i].depth = bearing.gap);
         let degree = shapes.iter().map(Shape::degree).try_fold(0, |most, d| d.map(|d| d.max(most)));
-        let is_smooth = degree.is_none() || tension != 0.0;
-        let waves = if is_smooth { COSINE_DEGREE } else { 0 };
-        let profile = shapes.iter().map(Shape::polynomial_degree).fold(waves, usize::max);
-        let terms = match degree {
-            None => COSINE_TERMS,
-            Some(_) if tension != 0.0 => super::tension::TERMS,
-            Some(_) => BEAM_TERMS,
-        };
-        let terms = (profile + 1).max(terms);
+        let (terms, [load_rule, energy_rule]) = orders(&shapes, degree, tension);
+        let is_straight = tension == 0.0 && degree.is_some_and(|degree| degree < 2);
         let own_size = own.map_or(0.0, |own| own.magnitude(length));
         let mut given = Self {
             length,
-            run_ends: run_ends(
-                &cells,
-                &breakpoints,
-                &divisions,
-                tension == 0.0 && degree.is_some_and(|degree| degree < 2),
-            ),
+            run_ends: run_ends(&cells, &breakpoints, &divisions, is_straight),
             divisions,
             roughest: breakpoints
                 .iter()
@@ -84,8 +72,8 @@ impl PiecewiseScene {
             shapes,
             ends,
             terms,
-            load_rule: Gauss::exact_to(if !is_smooth { profile.saturating_sub(4).max(1) + 3 } else { profile }),
-            energy_rule: Gauss::exact_to(if !is_smooth { (2 * profile).max(6) } else { profile }),
+            load_rule,
+            energy_rule,
             resultant: load.resultant(length) / stiffness,
             total_load: 0.0,
             magnitude: within_reach(foundation, length) + own_size,
@@ -106,19 +94,38 @@ impl PiecewiseScene {
         };
         given.pulling = pulling_stretches(&given);
         given.total_load = load_between_supports(&given);
-        for i in 0..given.supports.len() {
-            let AtSupport { breakpoint, level, slope, tangent, .. } = given.supports[i];
-            let Breakpoint { x, kink, .. } = given.breakpoints[breakpoint];
-            let clearance = |cell| given.derivative(cell, x, 0) - level;
-            given.supports[i].clearance = given.cells_beside(breakpoint).map(clearance);
-            // Level ground on both sides of a support has the beam lie along it there.
-            if slope.is_none() && tangent == [true; 2] && kink <= 0.0 {
-                let [left, _] = given.cells_beside(breakpoint);
-                given.supports[i].slope = Some(given.derivative(left, x, 1));
-            }
-        }
+        given.meet_supports();
         given
     }
+
+    /// Clearances beside the supports, and slopes at those with level ground on both sides, along which the beam lies.
+    fn meet_supports(&mut self) {
+        for i in 0..self.supports.len() {
+            let AtSupport { breakpoint, level, slope, tangent, .. } = self.supports[i];
+            let Breakpoint { x, kink, .. } = self.breakpoints[breakpoint];
+            let clearance = |cell| self.derivative(cell, x, 0) - level;
+            self.supports[i].clearance = self.cells_beside(breakpoint).map(clearance);
+            if slope.is_none() && tangent == [true; 2] && kink <= 0.0 {
+                let [left, _] = self.cells_beside(breakpoint);
+                self.supports[i].slope = Some(self.derivative(left, x, 1));
+            }
+        }
+    }
+}
+
+/// Terms of a piece, and the rules for loads and energies, of a profile of this degree, none with waves.
+fn orders(shapes: &[Shape], degree: Option<usize>, tension: f64) -> (usize, [Gauss; 2]) {
+    let is_smooth = degree.is_none() || tension != 0.0;
+    let waves = if is_smooth { COSINE_DEGREE } else { 0 };
+    let profile = shapes.iter().map(Shape::polynomial_degree).fold(waves, usize::max);
+    let terms = match degree {
+        None => COSINE_TERMS,
+        Some(_) if tension != 0.0 => super::tension::TERMS,
+        Some(_) => BEAM_TERMS,
+    };
+    let of_load = if is_smooth { profile } else { profile.saturating_sub(4).max(1) + 3 };
+    let of_energy = if is_smooth { profile } else { (2 * profile).max(6) };
+    ((profile + 1).max(terms), [of_load, of_energy].map(Gauss::exact_to))
 }
 
 /// A support among the breakpoints at `places`.
@@ -173,11 +180,6 @@ fn places(profiles: &[Option<&Foundation>], load: &Load, scene: &Scene, ends: &[
         cut(LONGEST / (beam.tension().abs() / beam.bending_stiffness()).sqrt(), &mut places);
     }
     for profile in profiles.iter().flatten() {
-        if let Foundation::Polynomial { coefficients } = profile
-            && let Some(degree) = polynomial::long_degree(coefficients)
-        {
-            places.extend(polynomial::cuts(beam.length(), polynomial::parts(degree)));
-        }
         let Foundation::Cosine { wavelength, .. } = profile else { continue };
         let most = CELL_ANGLE * wavelength / (2.0 * std::f64::consts::PI);
         cut(most, &mut places);
@@ -333,11 +335,7 @@ fn shapes_of(foundation: &Foundation, length: f64) -> (Vec<Shape>, Vec<Break>) {
     match foundation {
         &Foundation::Flat { depth } => (vec![Shape::Line { origin: 0.0, depth, slope: 0.0 }], Vec::new()),
         Foundation::Polynomial { coefficients } => {
-            if let Some(degree) = polynomial::long_degree(coefficients) {
-                return (vec![Shape::long(coefficients, degree, length)], Vec::new());
-            }
-            let used = coefficients.iter().rposition(|&c| c != 0.0).map_or(1, |i| i + 1);
-            (vec![Shape::Polynomial(coefficients[..used].to_vec())], Vec::new())
+            (vec![Shape::Polynomial(polynomial::used(coefficients).to_vec())], Vec::new())
         }
         &Foundation::Cosine { mean, amplitude, wavelength, phase } => {
             (vec![Shape::Cosine { mean, amplitude, wavelength, phase }], Vec::new())

@@ -7,12 +7,10 @@ use super::margin::{Condition, all, stopped, violated_conditions};
 use super::newton;
 use super::piecewise::PiecewiseScene;
 use super::search::Candidate;
-use super::shape::Shape;
 use super::solve::solve_near;
 use super::springs::Springs;
 use crate::certificate::Slope;
-use crate::scene::polynomial::{SHORT, long_degree};
-use crate::scene::{Foundation, Scale, Scene};
+use crate::scene::{Scale, Scene};
 
 /// What an answer takes, however small its scene is, on two supports.
 const START: u64 = 50;
@@ -42,10 +40,6 @@ const JUDGED: u64 = 7;
 /// Bounds of a part on ground that gives. *Tuned* on level ground of stiffness 10¹²: 5 ms for 103 parts.
 const BOUNDS_OF_A_PART: usize = 250;
 
-/// What each coefficient of a polynomial beyond those of a [`SHORT`] one adds to the bounds of a rigid piece, and of a part on ground that gives. *Tuned* on
-/// 20, 40 and 80 coefficients: 12, 50 to 84 and 236 to 284 ms on rigid ground, 53, 400 and 1,620 ms on springs.
-const OF_A_COEFFICIENT: [usize; 2] = [100, 210];
-
 /// Newton steps on contacts that only move: from beside the solution two double the digits up to the last one, and two are at rest.
 const STEPS: usize = 4;
 
@@ -58,7 +52,7 @@ impl Exact {
     /// that can be followed from one scene to the other. Where there are no such contacts because one of them cannot go on, it
     /// is that. [`None`] if there are none for another reason.
     #[must_use]
-    pub fn violated_conditions(&self, scene: &Scene) -> Option<Vec<Condition>> {
+    pub(crate) fn violated_conditions(&self, scene: &Scene) -> Option<Vec<Condition>> {
         let (given, list, converged) = self.tried(scene)?;
         if !converged {
             return stopped(&given, &list).map(|condition| vec![condition]);
@@ -99,7 +93,7 @@ impl Exact {
     /// How far the contacts of this solution, kept as they are, are from violating a condition in `scene`: a smooth function of
     /// the numbers of the scene, negative where the condition is violated. [`None`] where it has no meaning.
     #[must_use]
-    pub fn margin(&self, scene: &Scene, condition: Condition) -> Option<f64> {
+    pub(crate) fn margin(&self, scene: &Scene, condition: Condition) -> Option<f64> {
         let Some((given, list)) = self.kept(scene) else { return condition.without_list() };
         condition.value(&given, &list)
     }
@@ -107,7 +101,7 @@ impl Exact {
     /// How far the contacts of this solution, kept as they are, are from violating each condition in `scene` that can be told before
     /// it fails. [`None`] if there are no such contacts there.
     #[must_use]
-    pub fn margins(&self, scene: &Scene) -> Option<Vec<(Condition, f64)>> {
+    pub(crate) fn margins(&self, scene: &Scene) -> Option<Vec<(Condition, f64)>> {
         let (given, list) = self.kept(scene)?;
         Some(all(&given, &list, &self.pattern().pulls))
     }
@@ -121,18 +115,10 @@ impl Exact {
 
     /// What it takes to prove bounds for it, in the same units.
     #[must_use]
-    pub fn work_of_bounds(&self, scene: &Scene) -> u64 {
-        let profiles = [scene.foundation(), scene.beam().shape()];
-        let long = |profile: &Foundation| match profile {
-            Foundation::Polynomial { coefficients } => long_degree(coefficients).map_or(0, |degree| degree - SHORT),
-            _ => 0,
-        };
-        let long = profiles.into_iter().flatten().map(long).max().unwrap_or(0);
+    pub(crate) fn work_of_bounds(&self) -> u64 {
         let parts = self.springs.as_ref().map_or(0, Springs::size);
-        let [rigid, soft] = OF_A_COEFFICIENT.map(|each| each * long);
-        let pieces = self.given.cells.len() * rigid + parts * (BOUNDS_OF_A_PART + soft);
         let lists = if self.springs.is_some() { 0 } else { JUDGED * self.work_of_lists() };
-        lists + u64::try_from(pieces).unwrap_or(u64::MAX)
+        lists + u64::try_from(parts * BOUNDS_OF_A_PART).unwrap_or(u64::MAX)
     }
 
     /// The same without the chains from which its first lists came.
@@ -152,12 +138,10 @@ impl Exact {
         let sunk = OF_A_PART * self.springs.as_ref().map_or(0, Springs::size);
         let pieces = self.given.cells.len() + sunk + self.given.forces().count();
         let passes = (lists + 1) * (pieces + nodes) + steps * nodes;
-        // To make the pieces of a long polynomial takes as much for each coefficient of each as a piece that is gone through.
-        let made: usize = self.given.shapes.iter().map(Shape::expanded).sum();
         // Of thousands of supports this is nearly all of it.
         let many =
             OF_A_SUPPORT * self.given.supports.len().saturating_sub(2) + OF_A_BEARING * self.given.bearings.len();
-        START + u64::try_from(passes + made + many).unwrap_or(u64::MAX)
+        START + u64::try_from(passes + many).unwrap_or(u64::MAX)
     }
 
     /// The list of this solution, with its places as they are in `scene`.

@@ -169,33 +169,32 @@ fn sprung(given: &PiecewiseScene, nodes: [Option<End>; 2], joint_at_end: f64) ->
     for side in (0..2).filter(|&side| hangs[side] && ends[side].hold == EndCondition::Within) {
         let [level, slope] = states[side].map(|beam| [beam[0], beam[1]]).or(alone)?;
         let bent = states[side].map_or(0.0, |beam| beam[2]);
-        let Breakpoint { x, joint, couple, .. } = given.breakpoints[outermost[side]];
-        // A joint belongs to what is on its left.
-        let slope = if 0.0 < joint {
-            if side == 0 { slope - joint * (bent - couple) } else { slope + joint * bent }
-        } else {
-            slope
-        };
-        let cell = given.cells_beside(outermost[side])[side];
-        let height = given.derivative(cell, x, 0) - level;
-        let hold = EndCondition::Hinge { height, level, curvature: 0.0 };
-        let mut beyond = overhang(given, End { hold, ..End::free(x, cell) }, slope, side == 0);
-        for span in &mut beyond {
-            for end in [&mut span.a, &mut span.b] {
-                if end.hold.is_hinged() && end.hold != EndCondition::Free {
-                    end.hold = EndCondition::Within;
-                }
-            }
-            span.answer = Some(answer);
-        }
-        if side == 0 {
-            beyond.append(&mut spans);
-            spans = beyond;
-        } else {
-            spans.append(&mut beyond);
-        }
+        let beyond = beyond(given, outermost[side], side, [level, slope, bent]);
+        let beyond = beyond.into_iter().map(|span| Span { answer: Some(answer), ..span });
+        spans.splice(if side == 0 { 0..0 } else { spans.len()..spans.len() }, beyond);
     }
     Some(spans)
+}
+
+/// What hangs over beyond the outermost spring on a side, at which deflection, slope and `e v''` are known.
+fn beyond(given: &PiecewiseScene, i: usize, side: usize, [level, slope, bent]: [f64; 3]) -> Vec<Span> {
+    let Breakpoint { x, joint, couple, .. } = given.breakpoints[i];
+    // A joint belongs to what is on its left.
+    let slope = match side {
+        _ if joint <= 0.0 => slope,
+        0 => slope - joint * (bent - couple),
+        _ => slope + joint * bent,
+    };
+    let cell = given.cells_beside(i)[side];
+    let height = given.derivative(cell, x, 0) - level;
+    let hold = EndCondition::Hinge { height, level, curvature: 0.0 };
+    let mut beyond = overhang(given, End { hold, ..End::free(x, cell) }, slope, side == 0);
+    for end in beyond.iter_mut().flat_map(|span| [&mut span.a, &mut span.b]) {
+        if end.hold.is_hinged() && end.hold != EndCondition::Free {
+            end.hold = EndCondition::Within;
+        }
+    }
+    beyond
 }
 
 /// Deflection and slope at the one spring that holds a beam alone, against turning as well; [`None`] if it does not.

@@ -67,7 +67,7 @@ impl Exact {
 
     /// The greatest and the least moment from `from` to `to`, each an end of the beam or of a contact \[force · length\].
     #[must_use]
-    pub fn moment_extremes(&self, from: f64, to: f64) -> Extremes {
+    pub(crate) fn moment_extremes(&self, from: f64, to: f64) -> Extremes {
         let Scale { length, .. } = self.scale;
         let bent = match &self.springs {
             Some(springs) => springs.bend_extremes([from / length, to / length]),

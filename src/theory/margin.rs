@@ -13,7 +13,7 @@ use super::violation::Violation;
 
 /// A condition of a list of contacts that can be followed from scene to scene. Indices are those of the nodes of the list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Condition {
+pub(crate) enum Condition {
     /// A contact presses.
     Presses(usize),
     /// At a smooth point the profile is bent more than the beam, `h'' ≥ 0` on both sides.

@@ -71,7 +71,7 @@ mod way;
 pub use derivatives::{By, ContactDerivative, Derivative, Missing};
 pub use exact::{Exact, Sample};
 pub use free_spans::FreeSpan;
-pub use margin::Condition;
+pub(crate) use margin::Condition;
 pub use pattern::{ContactKind, Pattern, ZoneEnd};
 pub use solve::{TheoryError, solve, solve_near};
 pub use spread::Spread;

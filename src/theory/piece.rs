@@ -32,7 +32,7 @@ pub(super) struct State {
     pub(super) clearance: [f64; 4],
 }
 
-/// Over so many breaks of straight ground the clearance is carried; farther away its rounding has no effect.
+/// So many breaks of straight ground from the anchor of a piece its cells are looked at one by one, and its slopes count for its rounding.
 pub(super) const NEAR: usize = 64;
 
 impl Piece {

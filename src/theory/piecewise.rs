@@ -312,7 +312,6 @@ impl PiecewiseScene {
             [Shape::Polynomial(coefficients)] => {
                 coefficients.iter().rev().fold(0.0, |sum, c| sum * x.abs() + c.abs()).min(self.magnitude)
             }
-            [shape @ Shape::Long(_)] => shape.size_near(x).min(self.magnitude),
             _ => self.magnitude,
         }
     }

@@ -1,7 +1,5 @@
 //! One smooth piece of a foundation profile: its depth and all derivatives.
 
-use crate::scene::polynomial::{LONG_TERMS, coefficients_of, cuts, expanded, parts};
-
 /// A full turn, `2π`.
 const FULL: f64 = 2.0 * std::f64::consts::PI;
 
@@ -37,16 +35,6 @@ pub(super) enum Shape {
         /// `w0`.
         own: Box<Shape>,
     },
-    /// A long polynomial, expanded about a place near by.
-    Long(Vec<Expansion>),
-}
-
-/// A long polynomial on a part of the beam, by its first Taylor coefficients about the middle of it.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Expansion {
-    end: f64,
-    middle: f64,
-    coefficients: [f64; LONG_TERMS],
 }
 
 /// The waves `A cos(ωx + φ)` of a cosine profile.
@@ -71,7 +59,7 @@ impl Shape {
     /// Its waves: of a cosine one, of the difference of two cosines two.
     pub(super) fn waves(&self) -> [Option<Wave>; 2] {
         match *self {
-            Self::Line { .. } | Self::Polynomial(_) | Self::Long(_) => [None; 2],
+            Self::Line { .. } | Self::Polynomial(_) => [None; 2],
             Self::Cosine { amplitude, wavelength, phase, .. } => {
                 [Some(Wave { amplitude, number: FULL / wavelength, wavelength, phase }), None]
             }
@@ -88,7 +76,7 @@ impl Shape {
         match self {
             Self::Line { .. } | Self::Cosine { .. } => 0.0,
             Self::Polynomial(coefficients) if coefficients.len() < 5 => 0.0,
-            Self::Polynomial(_) | Self::Long(_) => {
+            Self::Polynomial(_) => {
                 let mut taylor = [0.0; 5];
                 self.taylor(x, &mut taylor);
                 24.0 * taylor[4]
@@ -104,40 +92,12 @@ impl Shape {
         Self::Line { origin, depth, slope: (u1 - u0) / (x1 - x0) }
     }
 
-    /// A long polynomial of this degree on a beam, by parts.
-    pub(super) fn long(coefficients: &[f64], degree: usize, length: f64) -> Self {
-        let mut start = 0.0;
-        let ends = cuts(length, parts(degree)).chain([length]);
-        let part = |end: f64| {
-            let middle = 0.5 * (start + end);
-            start = end;
-            Expansion { end, middle, coefficients: expanded(&coefficients[..=degree], middle) }
-        };
-        Self::Long(ends.map(part).collect())
-    }
-
-    /// Of a long polynomial, the terms of its expansion that add up to the depth at `x`; infinite for the others.
-    pub(super) fn size_near(&self, x: f64) -> f64 {
-        let Self::Long(parts) = self else { return f64::INFINITY };
-        let near = expansion(parts, x);
-        near.coefficients.iter().rev().fold(0.0, |sum, c| sum * (x - near.middle).abs() + c.abs())
-    }
-
-    /// Coefficients from which the expansions of long polynomials are made, all together.
-    pub(super) fn expanded(&self) -> usize {
-        match self {
-            Self::Long(parts) => coefficients_of(parts.len()),
-            Self::Gap { ground, own } => ground.expanded() + own.expanded(),
-            _ => 0,
-        }
-    }
-
     /// The degree, if it is one polynomial.
     pub(super) fn degree(&self) -> Option<usize> {
         match self {
             Self::Line { .. } => Some(1),
             Self::Polynomial(coefficients) => Some(coefficients.len().saturating_sub(1)),
-            Self::Cosine { .. } | Self::Long(_) => None,
+            Self::Cosine { .. } => None,
             Self::Gap { ground, own } => Some(ground.degree()?.max(own.degree()?)),
         }
     }
@@ -153,12 +113,12 @@ impl Shape {
     /// How far the profile turns between its slope at `x` and the chord to `x + t`, `|(u(x + t) − u(x))/t − u'(x)|` with the
     /// sign of `u''`, to the digits of a small number; `even` leaves out the odd powers of its Taylor series.
     pub(super) fn bow(&self, x: f64, t: f64, even: bool) -> f64 {
-        /// Those of a cosine and of a long polynomial, see [`LONG_TERMS`](crate::scene::polynomial::LONG_TERMS).
+        /// Those of a cosine over a sixth of a wave: what is left out is below `0.53²²/22! < 10⁻²⁷` of it.
         const TERMS: usize = 22;
         let terms = match self {
             Self::Line { .. } => return 0.0,
             Self::Polynomial(coefficients) => coefficients.len().min(TERMS),
-            Self::Cosine { .. } | Self::Long(_) => TERMS,
+            Self::Cosine { .. } => TERMS,
             Self::Gap { ground, own } => return ground.bow(x, t, even) - own.bow(x, t, even),
         };
         let mut taylor = [0.0; TERMS];
@@ -172,7 +132,6 @@ impl Shape {
     /// True if [`Self::bow`] has all its digits over this length.
     pub(super) fn is_one_series_over(&self, length: f64) -> bool {
         match self {
-            Self::Long(_) => false,
             Self::Gap { ground, own } => ground.is_one_series_over(length) && own.is_one_series_over(length),
             _ => self.waves().into_iter().flatten().all(|wave| wave.number * length <= 1.0),
         }
@@ -194,10 +153,6 @@ impl Shape {
                 ground.taylor(x, out);
                 out.iter_mut().zip(of_own).for_each(|(g, w)| *g -= w);
             }
-            Self::Long(parts) => {
-                let near = expansion(parts, x);
-                shifted(&near.coefficients, x - near.middle, out);
-            }
             Self::Cosine { mean, amplitude, wavelength, phase } => {
                 let wave = FULL / wavelength;
                 let angle = FULL * (x / wavelength) + phase;
@@ -215,12 +170,6 @@ impl Shape {
             }
         }
     }
-}
-
-/// The expansion of the part in which `x` lies.
-fn expansion(parts: &[Expansion], x: f64) -> &Expansion {
-    let part = parts.partition_point(|part| part.end < x);
-    &parts[part.min(parts.len() - 1)]
 }
 
 /// Coefficients of `Σ c_j (t + shift)^j` in powers of `t`, as many as `out` has room for.

@@ -100,13 +100,13 @@ impl Status {
     /// Of an answer for a [body](crate::body), which has no discretisation error: from the largest errors of its clearances, contact
     /// forces and energy, each as a share of the largest of its kind, and what was demanded.
     #[must_use]
-    pub fn of_body(errors: [f64; 3], demanded: f64, reports_success: bool) -> Self {
+    pub(crate) fn of_body(errors: [f64; 3], demanded: f64, reports_success: bool) -> Self {
         Self::of(errors.iter().all(|error| Self::is_certain(*error, demanded)), reports_success)
     }
 
     /// Whether one of these errors is as small as it has to be.
     #[must_use]
-    pub fn is_certain(error: f64, demanded: f64) -> bool {
+    pub(crate) fn is_certain(error: f64, demanded: f64) -> bool {
         within(error, demanded.min(EXACT))
     }
 

@@ -1,9 +1,9 @@
 //! The foundation as an enclosure: Taylor polynomials on cells, every kind of profile alike.
 
 use super::interval::Interval;
-use super::polynomial::{Polynomial, TERMS, expanded, number, shift};
+use super::polynomial::{Polynomial, TERMS, expanded, number};
 use crate::scene::Foundation;
-use crate::scene::polynomial::{cuts, long_degree};
+use crate::scene::polynomial::used;
 
 /// The foundation of a scene or the own shape of its beam, ready to be asked for enclosures.
 #[derive(Debug, Clone, Copy)]
@@ -19,14 +19,6 @@ pub(crate) struct EnclosedFoundation<'a> {
 const MOST_CELLS: f64 = 1e5;
 /// Cells in a wave: Taylor's remainder is then `(2π/32)^10 / 10! < 3e-14` of the amplitude.
 const CELLS_IN_A_WAVE: f64 = 32.0;
-/// Cells on the beam for each degree of a long polynomial: over one of them Taylor's remainder changes by less than
-/// `(π/16)^10 / 10! < 3e-14` of the largest depth.
-const CELLS_PER_DEGREE: usize = 16;
-/// Beyond this enclosures are wider: those of 64 degrees.
-const MOST_CELLS_OF_A_POLYNOMIAL: usize = 1024;
-/// Coefficients of a long polynomial that are expanded to enclose the remainder of [`TERMS`] of them.
-const EXPANDED: usize = 24;
-
 /// Those of some points from left to right that are strictly between two places.
 pub(crate) fn inside(points: &[[f64; 2]], from: f64, to: f64) -> &[[f64; 2]] {
     points.get(points.partition_point(|p| p[0] <= from)..points.partition_point(|p| p[0] < to)).unwrap_or_default()
@@ -36,12 +28,7 @@ impl<'a> EnclosedFoundation<'a> {
     /// Ends of cells strictly between two places, that of a step twice.
     pub(crate) fn breaks(&self, from: f64, to: f64) -> Vec<f64> {
         match self.given {
-            Foundation::Flat { .. } => Vec::new(),
-            Foundation::Polynomial { coefficients } => {
-                let parts =
-                    long_degree(coefficients).map_or(1, |d| MOST_CELLS_OF_A_POLYNOMIAL.min(CELLS_PER_DEGREE * d));
-                cuts(self.length, parts).filter(|x| from < *x && *x < to).collect()
-            }
+            Foundation::Flat { .. } | Foundation::Polynomial { .. } => Vec::new(),
             Foundation::Cosine { wavelength, .. } => {
                 let step = (wavelength / CELLS_IN_A_WAVE).max(self.length / MOST_CELLS);
                 let steps = (0..).map(|k| ((from / step).floor() + f64::from(k)) * step);
@@ -67,11 +54,11 @@ impl<'a> EnclosedFoundation<'a> {
         if let Foundation::Flat { depth } = self.given { Some(*depth) } else { None }
     }
 
-    /// `u(origin + s)` between two places without a break between them, on which the origin is.
-    pub(crate) fn about(&self, origin: f64, [from, to]: [f64; 2]) -> Polynomial {
+    /// `u(origin + s)` from a place up to the next break, between which the origin is.
+    pub(crate) fn about(&self, origin: f64, from: f64) -> Polynomial {
         match self.given {
             Foundation::Flat { depth } => Polynomial::new(&[Interval::exact(*depth)]),
-            Foundation::Polynomial { coefficients } => of_polynomial(coefficients, origin, [from, to]),
+            Foundation::Polynomial { coefficients } => Polynomial::new(&expanded(used(coefficients), origin)),
             Foundation::Cosine { mean, amplitude, wavelength, phase } => {
                 of_cosine([*mean, *amplitude, *wavelength, *phase], origin)
             }
@@ -83,7 +70,7 @@ impl<'a> EnclosedFoundation<'a> {
     pub(crate) fn jet(&self, x: f64, from_the_left: bool) -> [Interval; 4] {
         // At a smooth place both sides are one, to the last bit.
         let beside = if from_the_left && !self.is_smooth_at(x) { x.next_down() } else { x };
-        let cell = self.about(x, [beside, x]);
+        let cell = self.about(x, beside);
         let c = |j: usize| cell.coefficients().get(j).copied().unwrap_or(Interval::ZERO);
         [c(0), c(1), c(2) * number(2), c(3) * number(6)]
     }
@@ -134,26 +121,6 @@ fn segment(points: &[[f64; 2]], from: f64, origin: f64) -> Polynomial {
     // What is given is known without rounding: the points, of which this is the other one, and a level stretch.
     let value = if origin == right[0] { depth } else { u + slope * (Interval::exact(origin) - x) };
     Polynomial::new(&[value, slope])
-}
-
-/// Taylor's polynomial about an origin, for a cell. Terms beyond those that are kept become the remainder of Lagrange: the last
-/// coefficient is then that of Taylor's polynomial at any place of the cell.
-fn of_polynomial(given: &[f64], origin: f64, [from, to]: [f64; 2]) -> Polynomial {
-    let given = &given[..given.iter().rposition(|&c| c != 0.0).map_or(0, |degree| degree + 1)];
-    let cell = Interval::between(from, to);
-    let mut taylor = expanded(given, origin, EXPANDED);
-    if taylor.len() < given.len() {
-        // Of terms so high next to nothing is left over a cell.
-        let mut anywhere: Vec<Interval> = given.iter().map(|&c| Interval::exact(c)).collect();
-        shift(&mut anywhere, cell, EXPANDED);
-        taylor[EXPANDED - 1] = anywhere[EXPANDED - 1];
-    }
-    if TERMS < taylor.len() {
-        let mut anywhere = taylor.clone();
-        shift(&mut anywhere, cell - Interval::exact(origin), TERMS);
-        taylor[TERMS - 1] = anywhere[TERMS - 1];
-    }
-    Polynomial::new(&taylor)
 }
 
 /// Derivatives of a cosine at `x`, over factorials; the last one at any place.

@@ -20,7 +20,7 @@ impl EnclosedGap<'_> {
 
     /// `g(origin + s)` between two places without a break between them, on which the origin is.
     pub(crate) fn about(&self, origin: f64, cell: [f64; 2]) -> Polynomial {
-        self.ground.about(origin, cell).minus(&self.shape.about(origin, cell))
+        self.ground.about(origin, cell[0]).minus(&self.shape.about(origin, cell[0]))
     }
 
     /// At most any gap between two places; minus infinity where that cannot be said without a look at each cell.
@@ -95,7 +95,7 @@ mod tests {
         let straight = Foundation::Flat { depth: 0.0 };
         let straight = EnclosedGap { ground, shape: EnclosedFoundation::on(&straight, LENGTH) };
         assert_eq!(straight.depth(2.0), ground.depth(2.0), "nothing is rounded");
-        assert_eq!(straight.about(0.5, [0.5, 3.5]).coefficients(), ground.about(0.5, [0.5, 3.5]).coefficients());
+        assert_eq!(straight.about(0.5, [0.5, 3.5]).coefficients(), ground.about(0.5, 0.5).coefficients());
     }
     /// Ground and own shape with a kink and a step each: the gap turns by the difference, and at a step by nothing that has a name.
     /// Its least is told of a level shape alone.

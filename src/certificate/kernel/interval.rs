@@ -101,7 +101,7 @@ impl Interval {
     }
 
     /// The smallest interval that holds both.
-    pub fn hull(self, other: Self) -> Self {
+    pub(crate) fn hull(self, other: Self) -> Self {
         Self { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
     }
 

@@ -91,7 +91,11 @@ impl Polynomial {
     /// The same polynomial with its origin moved to `s`.
     pub(crate) fn shifted(&self, s: Interval) -> Self {
         let mut shifted = *self;
-        shift(&mut shifted.coefficients[..self.terms], s, self.terms);
+        for start in 0..self.terms {
+            for j in (start..self.terms - 1).rev() {
+                shifted.coefficients[j] = shifted.coefficients[j] + shifted.coefficients[j + 1] * s;
+            }
+        }
         shifted
     }
 
@@ -151,26 +155,16 @@ impl Polynomial {
     }
 }
 
-/// Moves the origin of a polynomial with any number of coefficients to `s`, as far as its first coefficients go; those behind them
-/// are of no use then.
-pub(crate) fn shift(coefficients: &mut [Interval], s: Interval, terms: usize) {
-    for start in 0..terms {
-        for j in (start..coefficients.len() - 1).rev() {
-            coefficients[j] = coefficients[j] + coefficients[j + 1] * s;
-        }
-    }
-}
-
-/// The first Taylor coefficients about `x` of the polynomial with these coefficients in powers of the place. Each is carried as
+/// The Taylor coefficients about `x` of the polynomial with these coefficients in powers of the place. Each is carried as
 /// a number and an interval that holds what it is off by, so that what is lost is of the size of the square of a rounding.
-pub(crate) fn expanded(given: &[f64], x: f64, terms: usize) -> Vec<Interval> {
+pub(crate) fn expanded(given: &[f64], x: f64) -> Vec<Interval> {
     let mut taylor: Vec<(f64, Interval)> = given.iter().map(|&c| (c, Interval::ZERO)).collect();
-    for start in 0..terms.min(given.len()) {
+    for start in 0..taylor.len() {
         for j in (start..taylor.len() - 1).rev() {
             taylor[j] = carried(taylor[j + 1], x, taylor[j]);
         }
     }
-    taylor.into_iter().take(terms).map(|(c, off)| Interval::exact(c) + off).collect()
+    taylor.into_iter().map(|(c, off)| Interval::exact(c) + off).collect()
 }
 
 /// `a x + b`, rounded, and what it is off by: anything, if it leaves the range of `f64`, where the rest is no number.

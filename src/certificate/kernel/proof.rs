@@ -136,31 +136,13 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
     for (i, (node, &(_, jump))) in nodes.iter().zip(&moments).enumerate() {
         let force = shears[i + 1][0] - shears[i][1] + enclosed.load.point(node.x);
         forces.push(force);
-        let support = enclosed.support(node.x);
         if enclosed.is_hinge(node.x) && spans[i].is_none() {
             cut_off.hinge(enclosed, node.x, moments[i].0[0]);
         }
-        let pushes = support.is_none_or(EnclosedSupport::pushes);
-        if pushes {
-            cut_off.force(node.x, force);
-        }
-        let mut jump = jump;
-        if let Some(gives) = support.and_then(|support| support.gives) {
-            let (state, force) = (enclosed.end(node), if pushes { force.positive_part() } else { force });
-            // Where the ground holds the slope it takes what a spring against turning does not.
-            let follows = matches!(node.slope, Slope::OfGround { .. });
-            let own = if follows { gives.jump(state[1]) } else { jump };
-            gap = gap + gives.misfit([force, own], state);
-            turned = turned + gives.energy(state);
-            jump = if follows { jump - own } else { jump };
-        }
-        // Loads in balance need no couple, and what the beam is built in exerts any.
-        if turns_about.is_none() && !enclosed.hangs_on(nodes) {
-            let any =
-                support.is_some_and(|s| s.slope.is_some() || s.holds_slope() && matches!(node.slope, Slope::Free(_)));
-            let made = |left: bool| any || support.is_some() && enclosed.order(node, left) == 2;
-            cut_off.couple(node.x, jump, [true, false].map(made));
-        }
+        // Loads in balance need no couple.
+        let turns = turns_about.is_some() || enclosed.hangs_on(nodes);
+        let [more, energy] = at_node(enclosed, node, [force, jump], turns, &mut cut_off);
+        (gap, turned) = (gap + more, turned + energy);
     }
     let steady = Interval::exact(enclosed.steadiness());
     (0.0 < steady.lo()).then_some(())?;
@@ -174,6 +156,37 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
     let (zones, ground, soft) = (Vec::new(), None, enclosed.soft());
     let turned = turned + energy;
     Some(Pair { pieces, gap, carried, lines, zones, turns_about, lifted, ground, turned, soft, taut })
+}
+
+/// What a node cannot exert of its force and couple is cut off; what a support that gives lacks of its law, and its energy.
+fn at_node(
+    enclosed: &EnclosedScene<'_>,
+    node: &ContactNode,
+    [force, jump]: [Interval; 2],
+    turns: bool,
+    cut_off: &mut PullCutOff,
+) -> [Interval; 2] {
+    let support = enclosed.support(node.x);
+    let pushes = support.is_none_or(EnclosedSupport::pushes);
+    if pushes {
+        cut_off.force(node.x, force);
+    }
+    let (mut jump, mut costs) = (jump, [Interval::ZERO; 2]);
+    if let Some(gives) = support.and_then(|support| support.gives) {
+        let (state, force) = (enclosed.end(node), if pushes { force.positive_part() } else { force });
+        // Where the ground holds the slope it takes what a spring against turning does not.
+        let follows = matches!(node.slope, Slope::OfGround { .. });
+        let own = if follows { gives.jump(state[1]) } else { jump };
+        costs = [gives.misfit([force, own], state), gives.energy(state)];
+        jump = if follows { jump - own } else { jump };
+    }
+    if !turns {
+        // What the beam is built in exerts any couple.
+        let any = support.is_some_and(|s| s.slope.is_some() || s.holds_slope() && matches!(node.slope, Slope::Free(_)));
+        let made = |left: bool| any || support.is_some() && enclosed.order(node, left) == 2;
+        cut_off.couple(node.x, jump, [true, false].map(made));
+    }
+    costs
 }
 
 /// The gap with what corrections cost: those of `v̂`, and the moments and the share of what is cut off, which is taken from places that

@@ -136,7 +136,7 @@ pub fn free_beam(discrete: &Discrete, discretisation: Discretisation) -> Nodal {
 /// Moments and forces of the supports are those of the beam on its supports alone, under `q − p`. Of a beam that they do not hold,
 /// contact forces are in balance with the loads, and what two more supports carry is what they lack of it.
 #[must_use]
-pub fn contact_state(mut discrete: Discrete, nodal: Nodal) -> ContactState {
+pub(crate) fn contact_state(mut discrete: Discrete, nodal: Nodal) -> ContactState {
     let (nodes, sizes, supports) = (discrete.nodes(), discrete.sizes(), discrete.supports().all().to_vec());
     let mut loads = std::mem::take(&mut discrete.loads);
     let mut energy = take_contact_forces(&mut loads[nodes.clone()], &nodal);

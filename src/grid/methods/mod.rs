@@ -33,10 +33,11 @@ pub(crate) mod supports;
 mod touching;
 mod turns;
 
-pub use answer::{Nodal, contact_state, free_beam};
+pub(crate) use answer::contact_state;
+pub use answer::{Nodal, free_beam};
 pub use discrete::Discrete;
 pub use force::flexibility;
-pub use rigid::{balanced, single_contact};
+pub(crate) use rigid::{balanced, single_contact};
 pub use sparse::unsigned;
 
 use std::f64::consts::PI;

@@ -182,7 +182,11 @@ const IN_BALANCE: f64 = 1e-12;
 /// than one. [`None`] if the ground beside holds it.
 #[must_use]
 #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
-pub fn balanced(discrete: &Discrete, discretisation: Discretisation, node: usize) -> Option<(Nodal, Option<Motion>)> {
+pub(crate) fn balanced(
+    discrete: &Discrete,
+    discretisation: Discretisation,
+    node: usize,
+) -> Option<(Nodal, Option<Motion>)> {
     let nodes = discrete.nodes();
     let first = nodes.start;
     let deflections = |slope: f64| {
@@ -240,7 +244,7 @@ pub fn balanced(discrete: &Discrete, discretisation: Discretisation, node: usize
 /// The node that carries a beam alone which its supports do not hold, if there is one and the loads are in balance on it: the place
 /// above which their resultant is, or the only contact that was found.
 #[must_use]
-pub fn single_contact(discrete: &Discrete, balance: &Balance, nodal: &Nodal) -> Option<usize> {
+pub(crate) fn single_contact(discrete: &Discrete, balance: &Balance, nodal: &Nodal) -> Option<usize> {
     // A support that gives holds the beam together with any contact.
     let is_held = *balance == Balance::Held || !discrete.supports().springs().is_empty();
     if is_held || nodal.contact_force.iter().any(|p| p.is_nan()) {

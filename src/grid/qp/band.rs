@@ -39,7 +39,7 @@ impl<const W: usize> Band<W> {
 
     /// No equations yet, with memory for n.
     #[must_use]
-    pub fn with_capacity(n: usize) -> Self {
+    pub(crate) fn with_capacity(n: usize) -> Self {
         Self { above: Vec::with_capacity(n), right: Vec::with_capacity(n), taken: [Self::ZERO; W] }
     }
 

@@ -60,7 +60,7 @@ impl FreeSet {
     }
 
     /// Makes the variables from `start` on free or not as those of a smaller set are.
-    pub fn replace(&mut self, start: usize, part: &Self) {
+    pub(crate) fn replace(&mut self, start: usize, part: &Self) {
         self.free[start..start + part.dimension()].copy_from_slice(&part.free);
     }
 

@@ -83,7 +83,7 @@ impl Matrix {
 
     /// The upper triangle by columns, each entry multiplied by `factor`.
     #[must_use]
-    pub fn upper_columns(&self, factor: f64) -> UpperColumns {
+    pub(crate) fn upper_columns(&self, factor: f64) -> UpperColumns {
         let mut columns = UpperColumns::default();
         for j in 0..self.dimension() {
             columns.starts.push(columns.rows.len());

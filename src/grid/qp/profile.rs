@@ -139,7 +139,7 @@ impl Profile {
     /// # Errors
     ///
     /// [`NotPositiveDefinite`] if a pivot is not positive.
-    pub fn cholesky(mut self) -> Result<Self, NotPositiveDefinite> {
+    pub(crate) fn cholesky(mut self) -> Result<Self, NotPositiveDefinite> {
         /// Rows that go together: each row above them is read from memory once for all of them. Four of 3000 numbers are 96 kB,
         /// which stay in the cache of a core.
         const ROWS: usize = 4;

@@ -31,7 +31,7 @@ pub struct SparseForm {
 impl SparseForm {
     /// The form without equations, from the matrix alone: `z = x/X`, `P = A X/G`, `c = −b/G`.
     #[must_use]
-    pub fn of_matrix(qp: &dyn Qp) -> Self {
+    pub(crate) fn of_matrix(qp: &dyn Qp) -> Self {
         let sizes = qp.sizes();
         Self {
             quadratic: qp.matrix().upper_columns(sizes.x / sizes.gradient),
@@ -51,19 +51,19 @@ impl SparseForm {
 
     /// Whether all numbers are finite.
     #[must_use]
-    pub fn is_finite(&self) -> bool {
+    pub(crate) fn is_finite(&self) -> bool {
         self.numbers().all(f64::is_finite)
     }
 
     /// Whether all numbers are of a magnitude less than `limit`.
     #[must_use]
-    pub fn is_within(&self, limit: f64) -> bool {
+    pub(crate) fn is_within(&self, limit: f64) -> bool {
         self.numbers().all(|number| number.abs() < limit)
     }
 
     /// Whether the diagonal of `P` alone shows that there need not be a minimum.
     #[must_use]
-    pub fn has_negative_diagonal(&self) -> bool {
+    pub(crate) fn has_negative_diagonal(&self) -> bool {
         let UpperColumns { starts, rows, values } = &self.quadratic;
         let columns = starts.windows(2).enumerate();
         columns.into_iter().any(|(j, s)| (s[0]..s[1]).any(|k| rows[k] == j && values[k] < 0.0))

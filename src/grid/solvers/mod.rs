@@ -178,7 +178,7 @@ pub fn active_set_from(qp: &dyn Qp, free: FreeSet) -> Answer {
 
 /// The active set from a guess by interior points, where there is only a matrix.
 #[must_use]
-pub fn active_set_of(qp: &Explicit) -> Answer {
+pub(crate) fn active_set_of(qp: &Explicit) -> Answer {
     active_set::solve_from(qp, interior::free_set(qp))
 }
 

@@ -268,7 +268,7 @@ impl Problem {
 
     /// What is expected at the place that the message points at, where the message does not say it yet.
     #[must_use]
-    pub fn expected(&self) -> Option<String> {
+    pub(crate) fn expected(&self) -> Option<String> {
         match self {
             Self::UnknownKey { known: [only], .. } => Some(format!("expected `{only}`")),
             Self::UnknownKey { known, .. } => Some(format!("expected one of {}", list(known))),

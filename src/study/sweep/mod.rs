@@ -319,7 +319,7 @@ impl Walk<'_> {
     /// The answer with its verdict. The next one starts from it.
     pub fn row(&mut self, Step { value, scene, exact }: Step) -> Row {
         let pattern = exact.pattern();
-        self.work = self.work.saturating_add(exact.work()).saturating_add(exact.work_of_bounds(&scene));
+        self.work = self.work.saturating_add(exact.work()).saturating_add(exact.work_of_bounds());
         let mut solution = exact.judged(&scene, &Demand::default());
         self.last = solution.exact.take().map(|exact| (value, *exact));
         Row { value, solution, pattern }

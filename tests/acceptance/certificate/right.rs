@@ -32,12 +32,12 @@ fn body(length: f64, ground: Foundation, uniform: f64, points: &[(f64, f64)]) ->
     draft.with_points(points).scene().expect("well posed")
 }
 
-/// Chebyshev's polynomials of degrees 5 to 12 as ground, on supports and without.
+/// Chebyshev's polynomials of degrees 2 to 6 as ground, on supports and without.
 #[test]
 fn polynomials_of_any_degree() {
     let mut random = Random::new(5);
-    for degree in 5..=12 {
-        for k in 0..12 {
+    for degree in 2..=6 {
+        for k in 0..20 {
             let length = random.pick(&[1.0, 10.0, 7.3, 3.0]);
             let stiffness = random.pick(&[1.3, 500.0 / 384.0, 1.0, 77.0]);
             let amplitude = power_of_ten(&mut random, -3.0, 0.0);

@@ -37,6 +37,7 @@ const CHANGED: &[(&str, &str)] = &[
     ("at = 5.0", "at = 10.5"),
     ("from = 2.0, to = 5.0", "from = 5.0, to = 2.0"),
     ("depth = 1.0", "polynomial = []"),
+    ("depth = 1.0", "polynomial = [1, 0, 0, 0, 0, 0, 0, 1e-9, 0]"),
     ("depth = 1.0", "points = [[0, 1]]"),
     ("depth = 1.0", "points = [[0, 1], [6, 1], [5, 1], [10, 1]]"),
     ("depth = 1.0", "points = [[0, 1], [5, 1], [5, 2], [5.0, 3], [10, 1]]"),

@@ -21,7 +21,7 @@ fn survey(segments: u32, mut depth: impl FnMut(f64) -> f64) -> Foundation {
     Foundation::Polyline { points: shares.map(|t| [LENGTH * t, depth(t)]).collect() }
 }
 
-/// One scene of each kind: rough and smooth surveys, up to a thousand waves, 1750 point loads, 301 coefficients, nothing special.
+/// One scene of each kind: rough and smooth surveys, up to a thousand waves, 1750 point loads, seven coefficients, nothing special.
 fn kinds() -> Vec<(&'static str, Scene)> {
     let turn = std::f64::consts::TAU;
     let mut random = Random::new(13);
@@ -31,7 +31,7 @@ fn kinds() -> Vec<(&'static str, Scene)> {
     let points: Vec<PointLoad> = points.collect();
     let wavelength = LENGTH / sample_of(1000.0);
     let waves = |amplitude| Foundation::Cosine { mean: 1.0, amplitude, wavelength, phase: 0.0 };
-    let coefficients = (0..=300).map(|j| random.between(0.1, 1.0) / (0.5 * LENGTH).powi(j)).collect();
+    let coefficients = (0..=6).map(|j| random.between(0.1, 1.0) / (0.5 * LENGTH).powi(j)).collect();
     vec![
         ("plain", scene(13.0, 1.0, Vec::new(), Foundation::Flat { depth: 1.0 })),
         ("rough survey", scene(1.0, 10.0, Vec::new(), rough)),
@@ -123,28 +123,18 @@ fn the_samples_of_a_search_are_work() {
     assert!(100 * plain.work() < hard.work(), "{} and {}", plain.work(), hard.work());
 }
 
-/// Bounds on long polynomials, and ground that gives, count as what they take: the rows of a limited sweep are over in some ten seconds.
-/// Beside each scene is how many of its rows took ten seconds where they were timed.
+/// Bounds on ground that gives count as what they take: the rows of a limited sweep are over in some ten seconds, of which each took 5 ms
+/// where they were timed.
 #[test]
 fn rows_are_counted_as_what_they_take() {
     /// A count is no clock: it may be off by a half.
     const MISCOUNTED: f64 = 1.5;
-    let ground = |length: u32| {
-        let coefficients = (0..=length).map(|j| if j == 0 { 1.0 } else { 1e-3 / LENGTH.powf(f64::from(j)) }).collect();
-        Foundation::Polynomial { coefficients }
-    };
-    for (length, stiffness, rows) in [(40, None, 118.0), (80, None, 35.0), (40, Some(1.0), 28.0), (80, Some(1.0), 7.0)]
-    {
-        let rigid = scene(13.0, 1.0, Vec::new(), ground(length));
-        let scene = stiffness.map_or_else(|| rigid.clone(), |k| rigid.clone().on_springs(k).expect("ground"));
-        let sweep = Sweep::new(&scene, "load.uniform", [1.0, 2.0], 3).expect("a number");
-        let mut walk = sweep.walk();
-        let step = walk.solve(1.0).expect("an answer");
-        walk.row(step);
-        let most = MOST_WORK / walk.work();
-        assert!(
-            u32::try_from(most).is_ok_and(|most| f64::from(most) <= MISCOUNTED * rows),
-            "{length} coefficients, {stiffness:?}: {most} rows"
-        );
-    }
+    const ROWS: f64 = 2000.0;
+    let level = scene(13.0, 1.0, Vec::new(), Foundation::Flat { depth: 1.0 }).on_springs(1e12).expect("ground");
+    let sweep = Sweep::new(&level, "load.uniform", [1.0, 2.0], 3).expect("a number");
+    let mut walk = sweep.walk();
+    let step = walk.solve(1.0).expect("an answer");
+    walk.row(step);
+    let most = MOST_WORK / walk.work();
+    assert!(u32::try_from(most).is_ok_and(|most| f64::from(most) <= MISCOUNTED * ROWS), "{most} rows");
 }

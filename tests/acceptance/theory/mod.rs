@@ -15,7 +15,6 @@ mod giving;
 mod ground;
 mod hinges;
 mod level;
-mod long;
 mod near;
 mod opened;
 mod pushing;

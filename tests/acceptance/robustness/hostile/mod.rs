@@ -94,8 +94,7 @@ fn what_was_wrong_once_is_right() {
 }
 
 /// The same as scenes: an edge of a load at a support; ground that a beam with an own shape meets beside a support, with a reaction that
-/// was 3 % off; `10¹³` on a support; a load above an inner crest; ground of degree 8 that was level with a support above it, with a
-/// force of 177 for 516.
+/// was 3 % off; `10¹³` on a support; a load above an inner crest.
 #[test]
 fn scenes_that_were_wrong_once_are_right() {
     let held = |at, level| Support { level, ..Support::simple(at) };
@@ -113,24 +112,8 @@ fn scenes_that_were_wrong_once_are_right() {
     let dwarfed = Draft { uniform: 1.0, ground: Some(Foundation::Flat { depth: 1.0 }), ..base.clone() };
     scenes.push(dwarfed.with_points(&[(0.0, 1e13)]));
     let points = vec![[0.0, 2.0], [2.0, 0.4], [4.5, 2.0], [7.0, 0.1], [10.0, 2.0]];
-    let crests = Draft { ground: Some(Foundation::Polyline { points }), supports: Some(Vec::new()), ..base.clone() };
+    let crests = Draft { ground: Some(Foundation::Polyline { points }), supports: Some(Vec::new()), ..base };
     scenes.push(crests.with_points(&[(7.0, 1.0)]));
-    let coefficients = vec![
-        19_546_185.767_265_588,
-        -1_150_630.264_825_549_2,
-        23_596.909_727_867_707,
-        -184.350_857_248_966_46,
-        0.707_261_240_840_761_5,
-        -0.001_473_460_918_418_253,
-        1.700_549_710_532_429_8e-6,
-        -1.021_964_970_271_892_9e-9,
-        2.495_031_665_702_863_5e-13,
-    ];
-    let (length, at) = (1024.0, 995.634_005_433_579_7);
-    let supports = Some(vec![held(at, 2_118_253.139_533_013)]);
-    let ground = Some(Foundation::Polynomial { coefficients });
-    let level = Draft { length, stiffness: 343.642_051_371_092_86, uniform: 1.0, supports, ground, ..base };
-    scenes.push(level.with_points(&[(at, 1024.0)]));
     for draft in scenes {
         let wrong = wrong(&draft);
         assert!(wrong.is_empty(), "{}{wrong:#?}", draft.text());
@@ -138,15 +121,14 @@ fn scenes_that_were_wrong_once_are_right() {
 }
 
 /// Right answers that were refused. The first three: their largest deflection was compared with an upper bound that is some `10⁻¹²`
-/// too large, and not with what it lies between. Bumps, a polynomial of high degree and waves. The others had no bound at all: a free
+/// too large, and not with what it lies between. Bumps and waves. The others had no bound at all: a free
 /// body whose pressure vanishes at one place of its zone, and beams that are built in level with ground that falls away from there.
 /// Then, one by one: ground that is level with the one support on both sides and holds the slope there; at rest on level ground; a
 /// support next to zero; a zone whose end rounding put beside the corner where it is; a beam that followed both sides of a ridge at a
-/// support; a beam in balance that leans against ground beside its support; built in along a polynomial of high degree; supports so
+/// support; a beam in balance that leans against ground beside its support; supports so
 /// close together that places between them have few digits; a beam at rest that was lifted by rounding.
-const ONCE_REFUSED: [u64; 15] = [
+const ONCE_REFUSED: [u64; 13] = [
     4_294_969_607,
-    4_294_967_426,
     4_294_968_877,
     8_589_934_638,
     8_589_934_888,
@@ -157,7 +139,6 @@ const ONCE_REFUSED: [u64; 15] = [
     8_589_935_454,
     8_589_935_674,
     8_589_935_772,
-    8_589_937_764,
     8_589_937_377,
     8_589_935_117,
 ];

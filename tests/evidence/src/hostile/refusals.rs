@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use palkki::scene::file::{FileError, Problem};
-use palkki::scene::{Balance, Quantity, Scene, SceneError, Support, Unheld};
+use palkki::scene::{Balance, Foundation, Quantity, Scene, SceneError, Support, Unheld};
 
 use crate::authority::RBig;
 use crate::authority::statics::{exactly, resultant_and_moment};
@@ -127,6 +127,10 @@ fn so(draft: &Draft, error: &SceneError) -> bool {
         SceneError::CornerAtBuiltIn { at } => {
             at_support(at).is_some_and(|s| s.slope.is_some()) && draft.shape.is_some()
         }
+        SceneError::Coefficients { count, .. } => match ground {
+            Some(Foundation::Polynomial { coefficients }) => 7 < count && coefficients[count - 1] != 0.0,
+            _ => false,
+        },
         SceneError::Unheld(_) => matches!(statics(draft), None | Some(Statics::Falls | Statics::Border)),
         _ => true,
     }

@@ -32,7 +32,7 @@ pub enum Family {
     Coincident,
     /// Bumps of the ground that tie but for a hundred-millionth.
     Bumps,
-    /// Polynomials of degree 10 to 20.
+    /// Polynomials of degree 10 to 20, which are refused.
     HighDegree,
     /// From ten to a thousand waves.
     Waves,
@@ -58,7 +58,7 @@ pub enum Family {
     Level,
     /// Deflections and forces of very small and very large numbers.
     Units,
-    /// Polynomials of degree 2 to 9.
+    /// Polynomials of degree 2 to 9, of which those beyond 6 are refused.
     MiddleDegree,
     /// Waves and a load that moves over them.
     Washboard,

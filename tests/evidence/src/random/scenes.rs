@@ -174,7 +174,7 @@ pub fn on_lattice(i: u64) -> Scene {
 }
 
 /// Scene number `i` of a series of rough scenes: surveys of up to 200 points, up to a hundred waves, polynomials up to
-/// degree 12, a dozen loads, foundations up to ten million times shallower than the free deflection.
+/// degree 6, a dozen loads, foundations up to ten million times shallower than the free deflection.
 pub fn rough(i: u64) -> Scene {
     let mut random = Random::new(0x0000_b0b0 + i);
     let length = random.between(1.0, 20.0);
@@ -205,6 +205,7 @@ pub fn rough(i: u64) -> Scene {
             let mut coefficients: Vec<f64> = (0..=degree)
                 .map(|j| depth * random.between(-9.0, 9.0) / length.powi(i32::try_from(j).expect("a small number")))
                 .collect();
+            coefficients.truncate(7);
             let shape = Foundation::Polynomial { coefficients: coefficients.clone() };
             coefficients[0] += depth * random.between(0.0, 1.0) - shape.depth(0.0).min(shape.depth(length));
             Foundation::Polynomial { coefficients }
