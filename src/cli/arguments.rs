@@ -113,9 +113,9 @@ pub(super) enum Command {
     ///
     /// Without --method the solution needs no grid: its unknowns are the positions where the beam lifts off. The three methods of the paper divide the
     /// beam into equal intervals and give a quadratic program to a solver. Every answer is checked from the scene and the answer alone. It is certified
-    /// if it solves its discrete problem and the error of the deflection, of each reaction, of the total contact force and of the energy is proven to be
-    /// at most 10 % of the largest value of each, or the tolerance if that is smaller; without a grid 1e-6. The solver's own status is printed but not
-    /// used.
+    /// if it solves its discrete problem and if a bound on its error is proven. The bound covers the deflection, each reaction, the total contact force
+    /// and the energy. It is at most 10 % of the largest value of each, or the tolerance if that is smaller, and 1e-6 without a grid. The solver's own
+    /// status is printed but not used.
     ///
     /// With --tolerance and without --intervals the grid is refined until the proven errors are small enough.
     #[command(after_help = SOLVE_EXAMPLES)]
@@ -136,19 +136,19 @@ pub(super) enum Command {
     Certify(Certify),
     /// Vary one number of a scene: an answer for each value, and the values at which something happens.
     ///
-    /// Each answer is grid-free, and checked and certified by itself. Between them are the events: the values at which a contact appears, is lost, becomes
-    /// a zone or a point, splits, merges or moves over an edge, at which the regime changes, or at which a support begins or ceases to be in tension.
-    /// Each event is a root of the condition that decides it, to twelve digits. At least 128 values are examined; an event that is undone within a
-    /// step may be missed. The exit code is 0 if every answer is certified.
+    /// Each answer is grid-free, and checked and certified by itself. Between them are the events. At an event a contact appears, is lost, becomes a zone
+    /// or a point, splits, merges or moves over an edge, the regime changes, or a support begins or ceases to be in tension. Each event is a root of the
+    /// condition that decides it, to twelve digits. At least 128 values are examined; an event that is undone within a step may be missed. The exit
+    /// code is 0 if every answer is certified.
     #[command(after_help = SWEEP_EXAMPLES)]
     Sweep(Sweep),
     /// Find the values of one number of a scene for which the beam reaches something.
     ///
-    /// The output lists all values between A and B that the search finds, to rounding and in the order from A to B, each with the certified answers just
-    /// below and just above it. The search examines 256 values, and more where the condition may be satisfied between two of them; a condition that is
-    /// satisfied and lost again within a 256th of the range may be missed. If the quantity jumps past the number, for example a shear force as a load
-    /// passes, the value of the jump is printed and marked. If no value satisfies the condition, the nearest one is printed with what is reached there,
-    /// and the exit code is 1.
+    /// The output lists all values between A and B that the search finds, to rounding, in the order from A to B. The certified answers just below and
+    /// just above each value are printed with it. The search examines 256 values, and more where the condition may be satisfied between two of them. A
+    /// condition that is satisfied and lost again within a 256th of the range may be missed. If the quantity jumps past the number, as a shear force
+    /// does where a load passes, the value of the jump is printed and marked. If no value satisfies the condition, the nearest one is printed with what
+    /// is reached there, and the exit code is 1.
     #[command(after_help = FIND_EXAMPLES)]
     Find(Find),
     /// Print the equations of the grid-free solution with their numbers, to be followed by hand.
@@ -160,8 +160,8 @@ pub(super) enum Command {
     Explain(Explain),
     /// Write the quadratic program of a beam on a grid, for other solvers.
     ///
-    /// Either as a scene with a [body], whose matrix and gaps or loads are files, or in the sparse variables with moments that the libraries receive:
-    /// minimise ½ xᵀ P x + qᵀ x subject to lower ≤ A x ≤ upper. names.csv lists what each variable is.
+    /// The program is written as a scene with a [body], whose matrix and gaps or loads are files, or in the sparse variables that the libraries receive.
+    /// These minimise ½ xᵀ P x + qᵀ x subject to lower ≤ A x ≤ upper. names.csv lists what each variable is.
     #[command(after_help = EXPORT_EXAMPLES)]
     Export(Export),
     /// Print the completions of commands and options for a shell.
@@ -223,8 +223,8 @@ pub(super) struct Solve {
     pub(super) depth_tolerance: Option<f64>,
     #[command(flatten)]
     pub(super) common: Common,
-    /// Write the values along the beam to this file, as CSV: those at the nodes, or samples of the exact solution; `-` is
-    /// standard output, and the answer then goes to standard error
+    /// Write the values along the beam to this file, as CSV: at the nodes, or samples of the grid-free solution. `-` is standard
+    /// output, and the answer then goes to standard error
     #[arg(long, value_name = "FILE")]
     pub(super) csv: Option<PathBuf>,
     /// Draw beam, foundation, contact forces, moment and shear into this file, or `-` as above
@@ -283,9 +283,9 @@ pub(super) struct Certify {
     pub(super) forces: PathBuf,
     /// How the program that computed the forces put the load on the beam
     ///
-    /// The error is that of the deflection which this program found: the one that the forces and the load cause together. Under a
-    /// distributed load q the beam also bends between the nodes; lumped at nodes with spacing Δ, the load leaves that out, and the
-    /// deflection at mid-span is smaller by q Δ² l² / (96 EI). The bounds are those of the beam under the distributed load either way.
+    /// The error is that of the deflection which the forces and the load cause together. Under a distributed load q the beam also
+    /// bends between the nodes. A load that is lumped at nodes with the spacing Δ leaves that out, and the deflection at mid-span is
+    /// smaller by q Δ² l² / (96 EI). The bounds are those of the beam under the distributed load either way.
     #[arg(long, value_name = "LOAD", value_enum, default_value = "distributed")]
     pub(super) load: LoadArgument,
 }
@@ -311,8 +311,8 @@ pub(super) struct Export {
 /// What is varied, and how far.
 #[derive(Debug, Args)]
 pub(super) struct Varied {
-    /// The number that is varied; of several with commas between them, the others are changed by the same amount as the first, or by minus
-    /// the amount after a minus sign. `[*]` stands for each index. A point load beyond the beam is no load
+    /// The number that is varied. Of several, with commas between them, the others are changed by the same amount as the first, or by
+    /// minus the amount after a minus sign. `[*]` stands for each index. A point load beyond the beam is no load, also in the file
     #[arg(long, value_name = "PATH[,PATH…]")]
     pub(super) vary: String,
     /// Its first value
@@ -332,11 +332,11 @@ pub(super) struct Sweep {
     /// How many values, both ends included, at least 2
     #[arg(short = 'n', long, value_name = "N", allow_hyphen_values = true, value_parser = steps, default_value_t = 101)]
     pub(super) steps: usize,
-    /// Places along the beam, with commas between them: deflection, slope, moment and shear force there for each value
+    /// Positions along the beam, with commas between them: deflection, slope, moment and shear force there for each value
     #[arg(long, value_name = "X[,X…]", value_delimiter = ',', allow_hyphen_values = true, value_parser = number)]
     pub(super) at: Vec<f64>,
-    /// Largest and least moment and shear force along the beam and force of each support over all values; the moments that govern and
-    /// the forces of supports are refined between them
+    /// Largest and least moment, shear force and reactions over all values. The governing moments and the reactions are refined
+    /// between the values
     #[arg(long)]
     pub(super) envelope: bool,
     /// Write a row for each value to this file, as CSV; `-` is standard output, and the answer then goes to standard error. With

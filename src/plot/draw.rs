@@ -3,7 +3,7 @@
 use super::axis::Axes;
 use super::canvas::{Align, Canvas, Point, SHAFT, TEXT, Type, text_width};
 use super::label::{Frame, INK, Label, Labels, apart, sampled};
-use super::layer::{Arrows, Cell, Divisions, LABEL_ROW, Layer, LoadSketch, Place};
+use super::layer::{Arrows, Cell, Divisions, LABEL_ROW, Layer, LoadSketch, Place, SupportKind};
 use super::marks::{arc, support};
 use super::palette::{Color, Dash, Style};
 use super::{PlotError, count, finite};
@@ -35,9 +35,13 @@ pub(super) fn draw(
             labels.ask(Label { below, ..Label::new(text, at, *color) });
             Ok(())
         }
-        Layer::Supports(supports) => {
-            supports.iter().try_for_each(|mark| support(canvas, axes.place(mark.at), mark.kind))
-        }
+        Layer::Supports(supports) => supports.iter().try_for_each(|mark| {
+            let at = axes.place(mark.at);
+            if !matches!(mark.kind, SupportKind::Joint { .. }) {
+                labels.avoid(symbol(at));
+            }
+            support(canvas, at, mark.kind)
+        }),
         Layer::Load(sketch) => {
             distributed(canvas, sketch, axes, labels)?;
             point_loads(canvas, sketch, axes, labels)?;
@@ -45,6 +49,12 @@ pub(super) fn draw(
         }
         Layer::Cells(all) => all.iter().try_for_each(|one| cell(canvas, one, axes)),
     }
+}
+
+/// What a label had better not cover of a support: a rectangle below its place.
+fn symbol([x, y]: Point) -> Vec<Point> {
+    let [left, right, top, bottom] = [x - 30.0, x + 30.0, y + 4.0, y + 52.0];
+    sampled(&[[left, top], [right, top], [right, bottom], [left, bottom], [left, top]], INK)
 }
 
 fn placed(points: &[Place], axes: &Axes) -> Vec<Point> {

@@ -283,7 +283,9 @@ fn forces(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Panel {
         Panel::new(along(scene), axis).room(1.6 * TEXT, if least < 0.0 { 1.6 * TEXT } else { 40.0 })
     } else {
         let axis = Axis::new("contact pressure p, as an area").unit(axes.pressure).including(&[0.0]);
-        Panel::new(along(scene), axis).forces(arrows).room(1.6 * TEXT, footroom)
+        let panel = Panel::new(along(scene), axis).room(1.6 * TEXT, footroom);
+        // An axis of arrows only where there are some.
+        if least < most { panel.forces(arrows) } else { panel }
     };
     panel = panel.tall(HEIGHT);
     let area = |zone: &Vec<Place>| Layer::Area { points: zone.clone(), level: 0.0, color: Color::VERMILLION };

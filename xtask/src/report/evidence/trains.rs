@@ -1,7 +1,7 @@
 //! A train that crosses a bridge: its sweep, and its envelope beside closed forms.
 
-use palkki::plot::sweep;
-use palkki::sweep::Sweep;
+use palkki::plot;
+use palkki::sweep::{Envelope, Sweep};
 
 use super::prelude::*;
 
@@ -16,11 +16,11 @@ const AGREES: f64 = 1e-11;
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let scene = scenes::train(study.root, "bridge")?;
     let swept = Sweep::new(&scene, VARY, RANGE, STEPS)?;
-    let (mut walk, mut gathered, mut rows) = (swept.walk(), swept.gathered(), Vec::new());
+    let (mut walk, mut gathered) = (swept.walk(), swept.gathered());
     for value in swept.values() {
         let step = walk.solve(value)?;
         gathered.add(&step);
-        rows.push(walk.row(step));
+        walk.row(step);
     }
     let envelope = gathered.envelope().ok_or("the train has no envelope")?;
     let axles = scene.point_loads();
@@ -32,18 +32,15 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     if AGREES < off {
         return Err(format!("the envelope of the train differs from its closed forms by {off:e}").into());
     }
-    let states: Vec<_> = rows.iter().map(|row| (row.value, &row.solution.state)).collect();
-    let events = swept.events(&rows);
-    let svg = sweep(&scene, swept.quantity(), &states, &events, &study.words("sweep-train", context! {})?.title)?;
-    let data = Table::new(["first_axle", "deflection_max", "moment_max", "left", "right"]).rows(states.iter().map(
-        |(value, state)| {
-            let numbers = [state.deflection.max, state.moment.max, state.reactions.left, state.reactions.right];
-            std::iter::once(fixed(*value, 5)).chain(numbers.map(|number| fixed(number, 5)))
-        },
-    ));
+    let svg = plot::envelope(&scene, VARY, &envelope)?;
+    let header = ["x", "moment_max", "moment_min", "shear_max", "shear_min"];
+    let data = Table::new(header).rows((0..envelope.x.len()).map(|i| {
+        let Envelope { x, moment_max, moment_min, shear_max, shear_min, .. } = &envelope;
+        [x, moment_max, moment_min, shear_max, shear_min].map(|values| fixed(values[i], 4))
+    }));
     let [from, to] = RANGE;
     let command = format!(
-        "palkki sweep {}/bridge.toml --vary '{VARY}' --from {from} --to {to} --steps {STEPS} --envelope",
+        "palkki sweep {}/bridge.toml --vary '{VARY}' --from {from} --to {to} --steps {STEPS} --envelope --plot envelope-train.svg",
         scenes::TRAINS
     );
     Evidence::new(context! {
@@ -54,5 +51,5 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         reaction,
         off => bound(off.max(f64::EPSILON)),
     })
-    .figure("sweep-train", svg, data)
+    .figure("envelope-train", svg, data)
 }

@@ -138,7 +138,7 @@ fn sentence(store: &Store) -> Option<String> {
     let of = |scene: &str| Some(significant(certified(&ended(store, scene))?, 2));
     let [example, waves] = [of(GROUNDS[0].0)?, of(GROUNDS[1].0)?];
     Some(format!(
-        "**Cost.** A solve with its bounds takes {example} ms for the paper's example and {waves} ms for a beam on waves, the median on one machine."
+        "**Cost.** A solve with its bounds needs {example} ms for the paper's example and {waves} ms for a beam on waves, the median on one machine."
     ))
 }
 
