@@ -73,6 +73,10 @@ impl OnSprings<'_> {
         let steady = Interval::exact(enclosed.steadiness());
         (0.0 < steady.lo()).then_some(())?;
         let gap = if steady == number(1) { gap.hi() } else { (gap / steady.square()).hi() };
+        if lines.is_empty() && 0.0 < enclosed.tension {
+            // A string is held by one place.
+            return Some((gap, share, lines));
+        }
         let known = |place: &Datum| {
             let Some(Carrier { sunk, stiffness, .. }) = carrier(place) else {
                 // One that only pushes is pressed, and so a spring.

@@ -65,9 +65,11 @@ impl OnSprings<'_> {
     /// Which stretches are walked along, in the order in which this is done. In each run of short stretches the first node at which the
     /// number is known is the start for all of them, or else the left end.
     fn walks(&self, is_known: impl Fn(usize) -> bool) -> Vec<(usize, Towards)> {
+        // Under an axial force what is off grows over `√(EI/N)`.
+        let pulled = (self.enclosed.stiffness / self.enclosed.tension.abs()).sqrt();
         let is_short = |i: &usize| {
             let width = self.stretches[*i].to - self.stretches[*i].from;
-            self.is_pressed(*i, false) && width <= SHORT * self.length(*i).lo()
+            self.is_pressed(*i, false) && width <= SHORT * self.length(*i).lo().min(pulled)
         };
         let (mut walks, mut from) = (Vec::new(), 0);
         while from < self.stretches.len() {
