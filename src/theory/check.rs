@@ -282,7 +282,8 @@ impl Judge {
         let newton::Residual { jump, step, unresolved } = newton::residual(given, list, spans);
         let fixed = (0..list.nodes.len()).all(|i| list.unknown(given, i) != Some(Unknown::Place));
         let rounded = if fixed { jump } else { jump.min(step / PLACE * TOLERANCE * scale.moment) };
-        self.measure(rounded, scale.moment, 0, Violation::Jump { jump });
+        // No single node is at fault.
+        self.measure(rounded, scale.moment, list.nodes.len(), Violation::Jump { jump });
         let (part, span) = unresolved;
         if part <= UNRESOLVED {
             return true;

@@ -80,9 +80,11 @@ impl Normal<'_> {
                     last.hold(false);
                 }
                 (Some(_), _) => self.nodes.push(node),
-                (None, _) => {
+                (None, last) => {
+                    // The zone before goes on, or it begins where an edge was.
+                    let goes_on = last.is_some_and(|last| last.ends_zone());
                     self.nodes.pop();
-                    self.nodes.push(node);
+                    self.nodes.extend((!goes_on).then_some(node));
                 }
             }
         }
@@ -152,6 +154,9 @@ impl Normal<'_> {
     /// At the left end a zone starts, at the right one it ends.
     fn add_tip(&mut self, tip: Node) {
         let is_hinge = tip.breakpoint.is_some_and(|i| self.given.breakpoints[i].joint != 0.0);
+        if is_hinge && tip.lies && !self.inside {
+            self.nodes.pop_if(|last| last.breakpoint == tip.breakpoint);
+        }
         if tip.lies && (self.nodes.is_empty() || is_hinge && !self.inside) || !tip.lies && self.inside {
             self.nodes.push(tip);
             self.inside = tip.lies;
