@@ -23,7 +23,7 @@ pub(super) fn repaired(given: &PiecewiseScene, list: &List, checked: &Check, fau
             Violation::Penetration { .. } if is_beside_deeper(checked, faults, i, fault) => {}
             Violation::Pull { .. } => repair.pull(i),
             Violation::CurvatureGap { .. } => repair.curvature_gap(i),
-            Violation::Unresolved { .. } => repair.unresolved(i),
+            Violation::Unresolved { .. } if !is_of_inverted(faults, i) => repair.unresolved(i),
             Violation::Jump { .. } => repair.lift_tip(i),
             Violation::Penetration { at, .. } => repair.penetration(i, at),
             _ => {}
@@ -42,6 +42,12 @@ pub(super) fn repaired(given: &PiecewiseScene, list: &List, checked: &Check, fau
     let mut nodes: Vec<Node> = list.nodes.iter().enumerate().filter_map(kept).chain(added).collect();
     nodes.sort_by(|a, b| a.x.total_cmp(&b.x));
     merged(given, &nodes)
+}
+
+/// True if the zone beside the span before node `i` would end before it starts.
+fn is_of_inverted(faults: &[(usize, Violation)], i: usize) -> bool {
+    let zone = |start: &usize| (*start..=*start + 1).any(|node| node == i || node + 1 == i);
+    faults.iter().any(|(start, fault)| matches!(fault, Violation::Inverted { .. }) && zone(start))
 }
 
 /// True if a span that is divided goes deeper elsewhere: each of its parts has its deepest place, and the span touches at one first.
@@ -87,7 +93,9 @@ impl Repair<'_> {
     /// is what touches.
     fn broken(&mut self, i: usize, at: f64) {
         let given = self.given;
-        let Some(joint) = given.breakpoint_at(at).filter(|&joint| given.breakpoints[joint].joint != 0.0) else { return };
+        let Some(joint) = given.breakpoint_at(at).filter(|&joint| given.breakpoints[joint].joint != 0.0) else {
+            return;
+        };
         let (Some(gap), Some([start, end])) = (gap_at(given, joint), self.list.nodes.get(i - 1..=i)) else { return };
         if at - gap <= start.x {
             self.keep[i - 1] = false;

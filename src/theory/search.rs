@@ -131,7 +131,6 @@ pub(super) fn search(given: &PiecewiseScene, near: impl Iterator<Item = List>) -
         (true, false) => GUESSES,
     };
     for turn in 0..guesses {
-        if std::env::var_os("DBG").is_some() { eprintln!("--- turn {turn} samples {} touches {:?}", samples.count(), guess.touches.iter().filter(|t| **t).count()); } // DBG
         if 0 < turn {
             samples = samples.refined(given, &guess.touches, &places);
             if left < samples.count() {
@@ -192,8 +191,12 @@ fn with_repairs(
         if found.solved() {
             return Ok(Some(better(best, closer(given, found))));
         }
-        if std::env::var_os("DBG").is_some() { super::search::dbg_show(given, &list, &found, run.converged, changed); } // DBG
-        list = repaired(given, &found.list, &found.checked, &found.checked.faults);
+        // What fails of a list that was not solved says nothing.
+        let again = changed && run.converged;
+        list = match again {
+            true => found.list.clone(),
+            false => repaired(given, &found.list, &found.checked, &found.checked.faults),
+        };
         let faults = found.checked.faults.len();
         strikes += match (fewest <= faults, run.converged) {
             (true, true) => 1,
@@ -210,12 +213,3 @@ fn with_repairs(
     }
     Ok(best)
 }
-
-pub(super) fn dbg_show(given: &PiecewiseScene, before: &List, found: &Candidate, conv: bool, changed: bool) { // DBG
-    let l = given.length; // DBG
-    let show = |list: &List| list.nodes.iter().map(|n| { // DBG
-        let kind = if n.support(given).is_some() { "S" } else if n.is_tip(given) { if n.lies {"T["} else {"T]"} } else if n.starts_zone() { "[" } else if n.ends_zone() { "]" } else if n.is_edge(given) { "E" } else { "p" }; // DBG
-        format!("{kind}{:.6}", n.x / l) }).collect::<Vec<_>>().join(" "); // DBG
-    eprintln!("conv {conv} changed {changed} worst {:.1e}: {}{}", found.checked.worst, show(&found.list), if changed { format!(" BEFORE {}", show(before)) } else { String::new() }); // DBG
-    for (i, f) in &found.checked.faults { eprintln!("      {i}: {f:?}"); } // DBG
-} // DBG
