@@ -171,6 +171,7 @@ impl Normal<'_> {
             && let Some(end) = self.nodes.last_mut()
             && end.can_move()
             && given.length - end.x <= self.least
+            && !(end.ends_zone() && given.is_bearing(last))
         {
             *end = if end.ends_zone() { Node::tip(given, false) } else { edge_node(given, last) };
             self.inside = false;
@@ -182,6 +183,7 @@ impl Normal<'_> {
             && let Some(first) = self.nodes.first_mut()
             && first.can_move()
             && first.x <= self.least
+            && !(first.lies && given.is_bearing(0))
         {
             *first = if first.lies { Node::tip(given, true) } else { edge_node(given, 0) };
         }

@@ -8,6 +8,7 @@ use super::check::Check;
 use super::list::{List, Node};
 use super::normal::{edge_node, merged};
 use super::piecewise::PiecewiseScene;
+use super::pull::zones_between;
 use super::sensitivity::ends;
 use super::span::{EndCondition, Span};
 use super::violation::Violation;
@@ -20,6 +21,7 @@ pub(super) fn repaired(given: &PiecewiseScene, list: &List, checked: &Check, fau
         match fault {
             Violation::Inverted { .. } => repair.inverted(i),
             Violation::Broken { at } => repair.broken(i, at),
+            Violation::PullAlong { .. } => repair.pull_along(i),
             Violation::Penetration { .. } if is_beside_deeper(checked, faults, i, fault) => {}
             Violation::Pull { .. } => repair.pull(i),
             Violation::CurvatureGap { .. } => repair.curvature_gap(i),
@@ -87,6 +89,16 @@ impl Repair<'_> {
         if end.ends_zone() && from < place && place < to {
             self.added.push(Node::touch(place, self.given.cell_from(place)));
         }
+    }
+
+    /// A zone lifts off around what pulls in it.
+    fn pull_along(&mut self, i: usize) {
+        let Some([start, end]) = self.list.nodes.get(i - 1..=i) else { return };
+        let parts = zones_between(self.given, [start.x, end.x]);
+        let is_new = |node: &&Node| self.added.iter().all(|added| added.x.total_cmp(&node.x).is_ne());
+        let gaps = parts.get(1..parts.len().saturating_sub(1)).unwrap_or_default();
+        let gaps: Vec<Node> = gaps.iter().filter(is_new).copied().collect();
+        self.added.extend(gaps);
     }
 
     /// A zone over a joint above curved ground has a gap there. Above a crest the beam lifts off with the joint, in a dish the joint

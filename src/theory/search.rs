@@ -192,8 +192,7 @@ fn with_repairs(
             return Ok(Some(better(best, closer(given, found))));
         }
         // What fails of a list that was not solved says nothing.
-        let again = changed && run.converged;
-        list = match again {
+        list = match changed {
             true => found.list.clone(),
             false => repaired(given, &found.list, &found.checked, &found.checked.faults),
         };
