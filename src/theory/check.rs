@@ -190,20 +190,19 @@ impl Judge {
                 self.refuse(i, Violation::OffPiece { at: node.x });
             }
         }
-        // A support that only pushes at an end of the beam stands above the ground there.
-        for (i, tip) in list.nodes.iter().enumerate().filter(|(_, node)| node.is_tip(given)) {
-            let above = |at: &usize| {
-                given.is_bearing(*at) && given.breakpoints[*at].depth < given.derivative(tip.cell, tip.x, 0)
-            };
-            if tip.breakpoint.as_ref().is_some_and(above) {
-                self.refuse(i, Violation::Broken { at: tip.x });
-            }
-        }
         for zone in list.zones() {
             if let Some(breakpoint) =
                 given.breakpoints_inside(zone.from, zone.to).find(|&breakpoint| given.breaks_at(breakpoint))
             {
                 self.refuse(zone.node, Violation::Broken { at: given.breakpoints[breakpoint].x });
+            }
+            // A support that only pushes at an end of the beam may stand above the ground there.
+            let stands = |i: &usize| {
+                let (x, [cell, _]) = (given.breakpoints[*i].x, given.cells_beside(*i));
+                zone.from <= x && x <= zone.to && given.is_bearing(*i) && 0.0 < given.height(*i, cell)
+            };
+            if let Some(end) = [0, given.cells.len()].into_iter().find(stands) {
+                self.refuse(zone.node, Violation::Broken { at: given.breakpoints[end].x });
             }
         }
     }

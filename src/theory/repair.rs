@@ -223,7 +223,8 @@ impl Repair<'_> {
         }
         // The beam leaves an edge beside it on the wrong side: it touches the slope there instead.
         let neighbours = [(i.checked_sub(1), span.a.x, span.at_a[1]), (Some(i), span.b.x, -span.at_b[1])];
-        let is_edge = |node: &Node| node.is_edge(self.given) && node.is_ground(self.given);
+        let joins = |node: &Node| node.breakpoint.is_some_and(|at| self.given.breakpoints[at].joint != 0.0);
+        let is_edge = |node: &Node| node.is_edge(self.given) && node.is_ground(self.given) && !joins(node);
         for (node, x, turn) in neighbours {
             if let Some(node) = node.filter(|&node| self.list.nodes.get(node).is_some_and(is_edge))
                 && (at - x).abs() < 0.5 * span.length()
