@@ -30,7 +30,7 @@ const GROUPS: [Group; 6] = [
         of: &[Couple, Steps, Joint, Hinge],
         on_soil: false,
         cases: 600,
-        open: &[55, 113, 346, 396],
+        open: &[55, 346, 396],
         coarse: &[],
     },
     Group { name: "springs, stops", of: &[Spring, Turning, Stop], on_soil: false, cases: 600, open: &[], coarse: &[] },
