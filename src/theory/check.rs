@@ -196,6 +196,14 @@ impl Judge {
             {
                 self.refuse(zone.node, Violation::Broken { at: given.breakpoints[breakpoint].x });
             }
+            // A support that only pushes at an end of the beam may stand above the ground there.
+            let stands = |i: &usize| {
+                let (x, [cell, _]) = (given.breakpoints[*i].x, given.cells_beside(*i));
+                zone.from <= x && x <= zone.to && given.is_bearing(*i) && 0.0 < given.height(*i, cell)
+            };
+            if let Some(end) = [0, given.cells.len()].into_iter().find(stands) {
+                self.refuse(zone.node, Violation::Broken { at: given.breakpoints[end].x });
+            }
         }
     }
 
@@ -282,7 +290,8 @@ impl Judge {
         let newton::Residual { jump, step, unresolved } = newton::residual(given, list, spans);
         let fixed = (0..list.nodes.len()).all(|i| list.unknown(given, i) != Some(Unknown::Place));
         let rounded = if fixed { jump } else { jump.min(step / PLACE * TOLERANCE * scale.moment) };
-        self.measure(rounded, scale.moment, 0, Violation::Jump { jump });
+        // No single node is at fault.
+        self.measure(rounded, scale.moment, list.nodes.len(), Violation::Jump { jump });
         let (part, span) = unresolved;
         if part <= UNRESOLVED {
             return true;

@@ -60,11 +60,13 @@ fn state(
     }
     let at = &given.breakpoints[spring.breakpoint];
     let is_here = |x: f64| x.total_cmp(&at.x).is_eq();
-    let before = spans.iter().map(|(_, span)| span).find(|span| is_here(span.b.x));
-    let after = spans.iter().map(|(_, span)| span).find(|span| is_here(span.a.x));
+    let span = |i: usize| spans.get(i).map(|(_, span)| span);
+    let before = span(spans.partition_point(|(_, span)| span.b.x < at.x)).filter(|span| is_here(span.b.x));
+    let after = span(spans.partition_point(|(_, span)| span.a.x < at.x)).filter(|span| is_here(span.a.x));
     let nodes = &list.nodes;
-    let node = nodes.iter().position(|node| is_here(node.x));
-    let zone = list.zones().any(|zone| zone.from < at.x && at.x < zone.to);
+    let next = nodes.partition_point(|node| node.x < at.x);
+    let node = nodes.get(next).filter(|node| is_here(node.x)).map(|_| next);
+    let zone = node.is_none() && list.in_zone_before(next);
     let (left, right) = (before.map(|span| span.beam_b), after.map(|span| span.beam_a));
     // Where the beam lies on the ground on a side, it is the ground.
     let cells = given.cells_beside(spring.breakpoint);
@@ -207,7 +209,8 @@ impl Exact {
 
     /// Whether a support that gives is at a place \[length\].
     pub(super) fn gives(&self, x: f64) -> bool {
-        self.given.springs.iter().any(|spring| self.place(spring.breakpoint).total_cmp(&x).is_eq())
+        let next = self.given.springs.partition_point(|spring| self.place(spring.breakpoint) < x);
+        self.given.springs.get(next).is_some_and(|spring| self.place(spring.breakpoint).total_cmp(&x).is_eq())
     }
 
     /// How many of those that only push are before breakpoint `i`.
@@ -224,7 +227,8 @@ impl Exact {
     pub(crate) fn sprung(&self) -> Vec<[f64; 2]> {
         let at = |spring: &AtSpring| {
             let place = self.place(spring.breakpoint);
-            let state = self.state.supports.iter().find(|support| support.at.total_cmp(&place).is_eq());
+            let next = self.state.supports.partition_point(|support| support.at < place);
+            let state = self.state.supports.get(next).filter(|support| support.at.total_cmp(&place).is_eq());
             state.map_or([0.0; 2], |support| [support.force, support.couple])
         };
         self.given.springs.iter().map(at).collect()
@@ -234,9 +238,7 @@ impl Exact {
     /// proven.
     pub(crate) fn witness(&self) -> Vec<Contact> {
         let is_in = |c: &Contact| self.idle.iter().any(|idle| idle.from <= c.from && c.to <= idle.to);
-        let stops =
-            |c: &Contact| self.given.springs.iter().any(|s| self.place(s.breakpoint).total_cmp(&c.from).is_eq());
-        let is_contact = |c: &Contact| !is_in(c) && (self.state.contacts.contains(c) || !stops(c));
+        let is_contact = |c: &Contact| !is_in(c) && (!self.gives(c.from) || self.state.contacts.contains(c));
         let mut all: Vec<Contact> = self.state.touched().into_iter().filter(is_contact).collect();
         all.extend_from_slice(&self.idle);
         all.sort_by(|a, b| a.from.total_cmp(&b.from));

@@ -80,9 +80,11 @@ impl Normal<'_> {
                     last.hold(false);
                 }
                 (Some(_), _) => self.nodes.push(node),
-                (None, _) => {
+                (None, last) => {
+                    // The zone before goes on, or it begins where an edge was.
+                    let goes_on = last.is_some_and(|last| last.ends_zone());
                     self.nodes.pop();
-                    self.nodes.push(node);
+                    self.nodes.extend((!goes_on).then_some(node));
                 }
             }
         }
@@ -152,6 +154,9 @@ impl Normal<'_> {
     /// At the left end a zone starts, at the right one it ends.
     fn add_tip(&mut self, tip: Node) {
         let is_hinge = tip.breakpoint.is_some_and(|i| self.given.breakpoints[i].joint != 0.0);
+        if is_hinge && tip.lies && !self.inside {
+            self.nodes.pop_if(|last| last.breakpoint == tip.breakpoint);
+        }
         if tip.lies && (self.nodes.is_empty() || is_hinge && !self.inside) || !tip.lies && self.inside {
             self.nodes.push(tip);
             self.inside = tip.lies;
@@ -166,6 +171,7 @@ impl Normal<'_> {
             && let Some(end) = self.nodes.last_mut()
             && end.can_move()
             && given.length - end.x <= self.least
+            && !(end.ends_zone() && given.is_bearing(last))
         {
             *end = if end.ends_zone() { Node::tip(given, false) } else { edge_node(given, last) };
             self.inside = false;
@@ -177,6 +183,7 @@ impl Normal<'_> {
             && let Some(first) = self.nodes.first_mut()
             && first.can_move()
             && first.x <= self.least
+            && !(first.lies && given.is_bearing(0))
         {
             *first = if first.lies { Node::tip(given, true) } else { edge_node(given, 0) };
         }

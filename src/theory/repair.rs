@@ -8,6 +8,7 @@ use super::check::Check;
 use super::list::{List, Node};
 use super::normal::{edge_node, merged};
 use super::piecewise::PiecewiseScene;
+use super::pull::zones_between;
 use super::sensitivity::ends;
 use super::span::{EndCondition, Span};
 use super::violation::Violation;
@@ -18,10 +19,13 @@ pub(super) fn repaired(given: &PiecewiseScene, list: &List, checked: &Check, fau
     let mut repair = Repair { given, list, checked, keep: vec![true; list.nodes.len()], added: Vec::new() };
     for &(i, fault) in faults {
         match fault {
-            Violation::Inverted { .. } => (repair.keep[i], repair.keep[i + 1]) = (false, false),
+            Violation::Inverted { .. } => repair.inverted(i),
+            Violation::Broken { at } => repair.broken(i, at),
+            Violation::PullAlong { .. } => repair.pull_along(i),
+            Violation::Penetration { .. } if is_beside_deeper(checked, faults, i, fault) => {}
             Violation::Pull { .. } => repair.pull(i),
             Violation::CurvatureGap { .. } => repair.curvature_gap(i),
-            Violation::Unresolved { .. } => repair.unresolved(i),
+            Violation::Unresolved { .. } if !is_of_inverted(faults, i) => repair.unresolved(i),
             Violation::Jump { .. } => repair.lift_tip(i),
             Violation::Penetration { at, .. } => repair.penetration(i, at),
             _ => {}
@@ -40,6 +44,19 @@ pub(super) fn repaired(given: &PiecewiseScene, list: &List, checked: &Check, fau
     let mut nodes: Vec<Node> = list.nodes.iter().enumerate().filter_map(kept).chain(added).collect();
     nodes.sort_by(|a, b| a.x.total_cmp(&b.x));
     merged(given, &nodes)
+}
+
+/// True if the zone beside the span before node `i` would end before it starts.
+fn is_of_inverted(faults: &[(usize, Violation)], i: usize) -> bool {
+    let zone = |start: &usize| (*start..=*start + 1).any(|node| node == i || node + 1 == i);
+    faults.iter().any(|(start, fault)| matches!(fault, Violation::Inverted { .. }) && zone(start))
+}
+
+/// True if a span that is divided goes deeper elsewhere: each of its parts has its deepest place, and the span touches at one first.
+fn is_beside_deeper(checked: &Check, faults: &[(usize, Violation)], i: usize, fault: Violation) -> bool {
+    let depth = |fault: &Violation| if let Violation::Penetration { depth, .. } = fault { *depth } else { 0.0 };
+    let parts = checked.spans.iter().filter(|(right, _)| *right == i).count();
+    1 < parts && faults.iter().any(|(other, deeper)| *other == i && depth(&fault) < depth(deeper))
 }
 
 /// A list and what becomes of it.
@@ -63,6 +80,50 @@ impl Repair<'_> {
         }
     }
 
+    /// A zone that would end before it starts is a point between.
+    fn inverted(&mut self, i: usize) {
+        let [start, end] = [self.list.nodes[i], self.list.nodes[i + 1]];
+        (self.keep[i], self.keep[i + 1]) = (false, false);
+        let (from, to) = self.given.reach(start.cell);
+        let place = 0.5 * (start.x + end.x);
+        if end.ends_zone() && from < place && place < to {
+            self.added.push(Node::touch(place, self.given.cell_from(place)));
+        }
+    }
+
+    /// A zone lifts off around what pulls in it.
+    fn pull_along(&mut self, i: usize) {
+        let Some([start, end]) = self.list.nodes.get(i - 1..=i) else { return };
+        let parts = zones_between(self.given, [start.x, end.x]);
+        let is_new = |node: &&Node| self.added.iter().all(|added| added.x.total_cmp(&node.x).is_ne());
+        let gaps = parts.get(1..parts.len().saturating_sub(1)).unwrap_or_default();
+        let gaps: Vec<Node> = gaps.iter().filter(is_new).copied().collect();
+        self.added.extend(gaps);
+    }
+
+    /// A zone over a joint above curved ground has a gap there. Above a crest the beam lifts off with the joint, in a dish the joint
+    /// is what touches.
+    fn broken(&mut self, i: usize, at: f64) {
+        let given = self.given;
+        let Some(joint) = given.breakpoint_at(at).filter(|&joint| given.breakpoints[joint].joint != 0.0) else {
+            return;
+        };
+        let (Some(gap), Some([start, end])) = (gap_at(given, joint), self.list.nodes.get(i - 1..=i)) else { return };
+        if at - gap <= start.x {
+            self.keep[i - 1] = false;
+        } else {
+            self.added.push(Node::end(at - gap, given.cell_to(at)));
+        }
+        if given.bent(given.cells_beside(joint)[1], at, 2) < 0.0 {
+            self.added.push(edge_node(given, joint));
+        }
+        if end.x <= at + gap {
+            self.keep[i] = false;
+        } else {
+            self.added.push(Node::start(at + gap, given.cell_from(at)));
+        }
+    }
+
     /// The profile bulges into the beam from both sides of the point: it carries a zone, unless that would pull.
     fn curvature_gap(&mut self, i: usize) {
         let Node { x, cell, .. } = self.list.nodes[i];
@@ -74,7 +135,8 @@ impl Repair<'_> {
         }
         self.keep[i] = false;
         let nodes = &self.list.nodes;
-        let (lo, hi) = self.given.reach(cell);
+        let ([lo, hi], (from, to)) = (self.given.next_pulling(x), self.given.reach(cell));
+        let (lo, hi) = (lo.max(from), hi.min(to));
         let left = i.checked_sub(1).map_or(lo, |i| nodes[i].x.max(lo));
         let right = nodes.get(i + 1).map_or(hi, |n| n.x.min(hi));
         let half = 0.3 * (x - left).min(right - x);
@@ -161,7 +223,8 @@ impl Repair<'_> {
         }
         // The beam leaves an edge beside it on the wrong side: it touches the slope there instead.
         let neighbours = [(i.checked_sub(1), span.a.x, span.at_a[1]), (Some(i), span.b.x, -span.at_b[1])];
-        let is_edge = |node: &Node| node.is_edge(self.given) && node.is_ground(self.given);
+        let joins = |node: &Node| node.breakpoint.is_some_and(|at| self.given.breakpoints[at].joint != 0.0);
+        let is_edge = |node: &Node| node.is_edge(self.given) && node.is_ground(self.given) && !joins(node);
         for (node, x, turn) in neighbours {
             if let Some(node) = node.filter(|&node| self.list.nodes.get(node).is_some_and(is_edge))
                 && (at - x).abs() < 0.5 * span.length()
@@ -172,6 +235,26 @@ impl Repair<'_> {
         }
         self.added.push(Node::touch(at, self.given.cell_from(at)));
     }
+}
+
+/// Somewhat more than half of the gap that a joint makes where a beam follows curved ground under a pressure `p`. With `n = e |g''|` the
+/// joint turns by `θ = w (n − p ℓ²/2)` above a crest and by `w (n − p ℓ²/4)` in a dish, where it touches, and
+///
+/// ```text
+/// e θ = 2 p ℓ³/3   above a crest,     e θ = p ℓ³/12   in a dish
+/// ```
+///
+/// Of a stiff joint the first term of `θ` is all of it, of a hinge the bracket is nothing: `ℓ` is less than either says.
+fn gap_at(given: &PiecewiseScene, joint: usize) -> Option<f64> {
+    /// By how much it is longer.
+    const MORE: f64 = 1.05;
+    let x = given.breakpoints[joint].x;
+    let [_, cell] = given.cells_beside(joint);
+    let (bent, pressure, e) = (given.bent(cell, x, 2), -given.drive(cell, x), given.cells[cell].stiffness);
+    let [of_stiff, of_hinge] = if 0.0 < bent { [1.5, 2.0] } else { [12.0, 4.0] };
+    let turned = e * given.breakpoints[joint].joint * bent.abs();
+    let gap = MORE * (of_stiff * turned / pressure).cbrt().min((of_hinge * bent.abs() / pressure).sqrt());
+    (0.0 < gap && gap.is_finite()).then_some(gap)
 }
 
 /// The edge at `at` in a span, if there is one.

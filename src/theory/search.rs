@@ -191,7 +191,11 @@ fn with_repairs(
         if found.solved() {
             return Ok(Some(better(best, closer(given, found))));
         }
-        list = repaired(given, &found.list, &found.checked, &found.checked.faults);
+        // What fails of a list that was not solved says nothing.
+        list = match changed {
+            true => found.list.clone(),
+            false => repaired(given, &found.list, &found.checked, &found.checked.faults),
+        };
         let faults = found.checked.faults.len();
         strikes += match (fewest <= faults, run.converged) {
             (true, true) => 1,

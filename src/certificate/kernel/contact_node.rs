@@ -209,7 +209,10 @@ impl EnclosedScene<'_> {
         let at_level = support.is_none_or(|s| s.at_level[usize::from(!from_the_left)]);
         let tangent = match (support.and_then(|s| s.slope), node.slope) {
             (Some(slope), _) => slope == self.gap.jet(node.x, from_the_left)[1],
-            (None, Slope::OfGround { from_the_left: side }) => side == from_the_left || self.gap.is_smooth_at(node.x),
+            // In a joint the slope on the other side is another one.
+            (None, Slope::OfGround { from_the_left: side }) => {
+                side == from_the_left || self.gap.is_smooth_at(node.x) && !self.is_joint(node.x)
+            }
             (None, Slope::Free(_)) => false,
         };
         if at_level && self.gap.ground.is_upper(node.x, from_the_left) { 1 + usize::from(tangent) } else { 0 }

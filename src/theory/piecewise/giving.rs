@@ -75,6 +75,8 @@ impl PiecewiseScene {
             let at = &self.breakpoints[spring.breakpoint];
             (at.x, spring.stiffness * (at.depth - spring.level))
         };
-        self.acting().map(on_ground).filter(move |(x, _)| a < *x && *x < b)
+        let first = self.springs.partition_point(|spring| self.breakpoints[spring.breakpoint].x <= a);
+        let acting = self.springs[first..].iter().filter(|spring| spring.acts);
+        acting.map(on_ground).take_while(move |(x, _)| *x < b)
     }
 }

@@ -77,3 +77,31 @@ fn a_beam_with_a_joint_above_ground_is_certified() {
         }
     }
 }
+
+/// The left part is a beam on two supports, and the right one lies on the ground from the hinge to its free end: the beam is level behind
+/// the hinge, and not before it.
+#[test]
+fn a_zone_from_a_hinge_to_a_free_end_is_certified() {
+    let text = "[beam]\nlength = 10.0\nbending_stiffness = 10.0\njoints = [{ at = 6.0 }]\nsupports = [{ at = 0 }]\n\
+        [load]\nuniform = 1.0\ncouple = [{ at = 3.0, moment = -0.6 }]\n[foundation]\ndepth = 10.0\n";
+    let scene: Scene = parse("scene.toml", text, |_| Err(ReadProblem::Missing)).expect("a scene");
+    let solution = palkki::solve_exactly(&scene).expect("an answer");
+    assert_eq!(solution.verdict.status, Status::Certified, "{}", solution.verdict);
+    let [contact] = solution.state.contacts[..] else { panic!("{:?}", solution.state.contacts) };
+    assert_eq!([contact.from, contact.to].map(f64::to_bits), [6.0_f64, 10.0].map(f64::to_bits));
+    // The couple turns the left part: 0.6/6 more on the support, and less in the hinge.
+    check(solution.state.reactions.left, 3.1);
+    check(contact.force, 6.9);
+}
+
+/// Behind a hinge the beam lies on a support that only pushes at its end, far above the ground there: no zone goes up to it.
+#[test]
+fn ground_below_a_support_that_only_pushes_at_an_end_holds_nothing_there() {
+    let text = "[beam]\nlength = 10.0\nbending_stiffness = 6.116\njoints = [{ at = 8.7 }, { at = 1.897 }]\n\
+        supports = [{ at = 2.85, level = 0.075, built_in = true }, { at = 10.0, level = 0.06, pushes_only = true }]\n\
+        [load]\nuniform = 1.766\npoint = [{ at = 8.51, force = -0.98 }]\n[foundation]\ndepth = 1.442\n";
+    let scene: Scene = parse("scene.toml", text, |_| Err(ReadProblem::Missing)).expect("a scene");
+    let exact = theory::solve(&scene).expect("an answer");
+    assert!(exact.solved);
+    check(exact.state.supports[1].force, 1.766 * 1.3 / 2.0);
+}

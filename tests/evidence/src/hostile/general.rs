@@ -1,4 +1,4 @@
-//! The general beam: couples, steps, joints and springs put onto scenes of other families, with numbers of all sizes, and now and then with one
+//! The general beam: couples, steps, joints, springs and axial forces put onto scenes of other families, with numbers of all sizes, and now and then with one
 //! that has to be refused. What is certified is compared with a proof in fractions, with the mirror image and with another route.
 
 use palkki::proof::prove;
@@ -50,7 +50,7 @@ pub(super) fn general(random: &mut Random) -> Draft {
     };
     let (l, bending) = (draft.length, draft.stiffness);
     for _ in 0..1 + random.below(3) {
-        match random.below(5) {
+        match random.below(6) {
             0 => {
                 let moment =
                     bending * sag(&draft) / (l * l) * power(random, -9.0, 1.0) * random.pick(&[0.0, 1.0, -1.0]);
@@ -84,6 +84,11 @@ pub(super) fn general(random: &mut Random) -> Draft {
                 }
                 draft.supports = Some(supports);
             }
+            4 => {
+                let sign = random.pick(&[1.0, 1.0, 1.0, -1.0]);
+                let unit = bending / (l * l);
+                draft.tension = if random.once_in(40) { f64::NAN } else { sign * unit * power(random, -6.0, 4.0) };
+            }
             _ => {
                 let unit = bending / (l * l * l * l) * 1e3;
                 draft.soil = vec![[0.0, stiffness(random, unit)]];
@@ -115,7 +120,8 @@ fn is_bad(draft: &Draft) -> bool {
     let supports = draft.all_supports();
     let springs = supports.iter().flat_map(|support| [support.stiffness, support.turning_stiffness]).flatten();
     let all_positive = steps.iter().all(|step| positive(step[1])) && springs.into_iter().all(positive);
-    !(in_order(steps) && joints && couples && all_positive) || draft.ground.is_some() && !soil
+    !(in_order(steps) && joints && couples && all_positive && draft.tension.is_finite())
+        || draft.ground.is_some() && !soil
 }
 
 /// What is refused names its place and a value.

@@ -62,7 +62,7 @@ pub enum Family {
     MiddleDegree,
     /// Waves and a load that moves over them.
     Washboard,
-    /// Couples, steps, joints and springs of all sizes on the others, with numbers that must be refused: all of the fifth dice.
+    /// Couples, steps, joints, springs and axial forces of all sizes on the others, with numbers that must be refused: all of the fifth dice.
     General,
 }
 
