@@ -1,6 +1,6 @@
 //! How far a span has to be lifted to be clear of the foundation: mostly not at all.
 //!
-//! The span is lifted by `α φ`, which vanishes at its nodes with its slope, where the beam goes on or the slope is given:
+//! The span is lifted by `α φ`, which vanishes at its nodes with its slope, where the beam goes on or the slope is given or turns a spring:
 //!
 //! ```text
 //! φ(s) = (s/L)^a (1 − s/L)^b,     a, b = 2 at a node, 1 at one where the beam ends and its slope is free, 0 at a free end, under an axial force 2
@@ -10,7 +10,7 @@
 //! proves `v ≤ g`. Where beam and foundation are one curve but for rounding, no arithmetic can tell, and `α` is of the size
 //! of the rounding.
 
-use super::contact_node::{ContactNode, EnclosedScene, Slope};
+use super::contact_node::{ContactNode, EnclosedScene, EnclosedSupport, Slope};
 use super::interval::Interval;
 use super::polynomial::Polynomial;
 use super::span::{Curve, Span};
@@ -27,9 +27,10 @@ type Ends<'a> = [Option<&'a ContactNode>; 2];
 fn power(enclosed: &EnclosedScene<'_>, end: Option<&ContactNode>) -> usize {
     // Under an axial force the moments of an overhang depend on where its free end is.
     let Some(node) = end else { return if enclosed.tension == 0.0 { 0 } else { 2 } };
-    let built_in = enclosed.support(node.x).is_some_and(|s| s.slope.is_some());
+    // A lift that turned a spring would have its share in the gap, too.
+    let holds_slope = enclosed.support(node.x).is_some_and(EnclosedSupport::holds_slope);
     let ends = node.x <= 0.0 || enclosed.length <= node.x;
-    if ends && !built_in && matches!(node.slope, Slope::Free(_)) { 1 } else { 2 }
+    if ends && !holds_slope && matches!(node.slope, Slope::Free(_)) { 1 } else { 2 }
 }
 
 /// `α φ` about the left end of the span, zero where it is clear; [`None`] if no lift of this shape is enough.
