@@ -50,15 +50,14 @@ fn error(found: &ContactState, exact: &ContactState) -> f64 {
 }
 
 /// Each answer of the active set is certified, no certified deflection is farther off than it says, and errors fall with the square of the
-/// spacing in the mean.
+/// spacing: the median order, since single ones go up and down with the place of lift-off between two nodes.
 #[test]
 fn random_beams_on_grids_approach_beam_theory() {
-    /// Of geometric means of errors; single ones go up and down with the place of lift-off between two nodes.
-    const ORDER: [f64; 2] = [1.75, 2.3];
+    const ORDER: [f64; 2] = [1.85, 2.15];
     /// Below it an error is rounding.
     const ROUNDING: f64 = 1e-11;
     for (name, of, on_soil) in GROUPS {
-        let (mut logs, mut pairs, mut answers, mut certified) = ([0.0; 2], 0_u32, 0_u32, 0_u32);
+        let (mut orders, mut answers, mut certified) = (Vec::new(), 0_u32, 0_u32);
         for (i, scene, exact) in drawn(of, on_soil, 80) {
             for method in Method::ALL {
                 let errors = [COARSE, 8 * COARSE].map(|intervals| {
@@ -77,13 +76,13 @@ fn random_beams_on_grids_approach_beam_theory() {
                     error(&found.state, &exact.state)
                 });
                 if ROUNDING < errors[1] {
-                    logs.iter_mut().zip(errors).for_each(|(sum, error)| *sum += libm::log(error));
-                    pairs += 1;
+                    orders.push(libm::log(errors[0] / errors[1]) / libm::log(8.0));
                 }
             }
         }
         assert!(99 * answers <= 100 * certified, "{name}: {certified} of {answers}");
-        let order = (logs[0] - logs[1]) / f64::from(pairs) / libm::log(8.0);
+        orders.sort_by(f64::total_cmp);
+        let order = orders[orders.len() / 2];
         assert!((ORDER[0]..=ORDER[1]).contains(&order), "{name}: {order}");
     }
 }
