@@ -178,6 +178,9 @@ impl Assembly<'_> {
         let [_, couple] = given.acting(node.x);
         let is_given = [0, 1].map(|side| outside[side] || self.spans[i + side].is_none());
         let left = match is_given {
+            // Beyond an end of the beam there is nothing, whatever rounding left beside it.
+            _ if node.x <= 0.0 => own[0].clone(),
+            _ if given.length <= node.x => &own[1] - &couple,
             [true, false] => own[0].clone(),
             [false, true] => &own[1] - &couple,
             [true, true] if self.spans[i].is_none() && !outside[0] => own[0].clone(),

@@ -53,6 +53,25 @@ fn is_sharp(name: &str, scene: &Scene, exact: &Exact) -> Result<bool, Unproven> 
         && (&up - &low).to_f64().value() <= SHARP * size)
 }
 
+/// One support at an end of the beam and springs for the rest: the moment at that end is none, whatever rounding leaves beside it.
+#[test]
+fn a_support_at_an_end_is_all_that_holds() {
+    for springs in [
+        "{ at = 10.1, stiffness = 5.03 }",
+        "{ at = 3, stiffness = 7.9, pushes_only = true }, { at = 10.1, stiffness = 51 }",
+    ] {
+        for end in [0.0, 10.1] {
+            let text = format!(
+                "[beam]\nlength = 10.1\nbending_stiffness = 1900\nsupports = [{{ at = {end:?} }}, {}]\n[load]\nuniform = 6.6\n",
+                if end > 0.0 { springs.replace("10.1", "0") } else { springs.to_owned() }
+            );
+            let scene = parse("scene.toml", &text, |_| Err(ReadProblem::Missing)).expect("a scene");
+            let exact = theory::solve(&scene).expect("an answer");
+            assert_eq!(is_sharp(&text, &scene, &exact), Ok(true), "{text}");
+        }
+    }
+}
+
 /// All scenes of the report without a cosine. In one the ground is level with a support but for a rounding: in fractions it begins 2.8e-16
 /// below it, and the energy is certain to the tenth digit only.
 #[test]
