@@ -253,7 +253,8 @@ fn gap_at(given: &PiecewiseScene, joint: usize) -> Option<f64> {
     let (bent, pressure, e) = (given.bent(cell, x, 2), -given.drive(cell, x), given.cells[cell].stiffness);
     let [of_stiff, of_hinge] = if 0.0 < bent { [1.5, 2.0] } else { [12.0, 4.0] };
     let turned = e * given.breakpoints[joint].joint * bent.abs();
-    let gap = MORE * libm::cbrt(of_stiff * turned / pressure).min((of_hinge * bent.abs() / pressure).sqrt());
+    let of_stiff = libm::cbrt(of_stiff * turned / pressure);
+    let gap = MORE * of_stiff.min((of_hinge * bent.abs() / pressure).sqrt());
     (0.0 < gap && gap.is_finite()).then_some(gap)
 }
 
