@@ -19,6 +19,9 @@ fn cells(scene: &Scene, exact: &Exact) -> Vec<[f64; 2]> {
     places.extend(beam.all_supports().iter().map(|support| support.at));
     places.extend(load.point().iter().map(|p| p.at).chain(load.couple().iter().map(|c| c.at)));
     places.extend(exact.state.contacts.iter().flat_map(|contact| [contact.from, contact.to]));
+    // Corners of the ground are at even numbers, and changes of its stiffness anywhere.
+    places.extend([2.0, 4.0, 6.0, 8.0]);
+    places.extend(scene.ground_parts().map(|(part, _)| part[0]));
     places.sort_by(f64::total_cmp);
     places.dedup();
     let layer = 1.0 / (beam.tension().abs() / beam.bending_stiffness()).sqrt().max(1.0 / l);
