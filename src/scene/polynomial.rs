@@ -1,11 +1,11 @@
 //! Foundations that are polynomials, `u = c₀ + c₁ x + c₂ x² + …`.
 //!
 //! The terms of a polynomial of high degree are far larger than their sum: those of Chebyshev's polynomial of degree `d` on the beam add
-//! up to `(3 + √8)^d / 2` times its largest value. With seven coefficients a sum in 64 bits still has eleven digits of it, with ten
-//! no more than nine, and the conditions of beam theory are met to twelve. With more than [`COEFFICIENTS`] a polynomial is refused.
+//! up to `(3 + √8)^d / 2` times its largest value. With ten coefficients a sum in 64 bits still has nine digits of it where the
+//! terms are as bad as that, and bounds say what is left. With more than [`COEFFICIENTS`] a polynomial is refused.
 
 /// Coefficients of a polynomial, at most.
-pub(super) const COEFFICIENTS: usize = 7;
+pub(super) const COEFFICIENTS: usize = 10;
 
 /// The coefficients up to the last one that is not zero, and at least the first one.
 pub(crate) fn used(coefficients: &[f64]) -> &[f64] {

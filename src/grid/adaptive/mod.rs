@@ -40,10 +40,10 @@ mod breaks;
 mod order;
 mod plan;
 
+use crate::answer::solve::{DEFAULT_TOLERANCE, Settings, solve_raw};
 use crate::certificate::CERTIFIED_RESIDUAL;
 use crate::route::{Method, Solution, Solver};
 use crate::scene::{Scene, SceneError};
-use crate::answer::solve::{DEFAULT_TOLERANCE, Settings, solve_raw};
 use crate::verdict::{Demand, Refusal, Verdict};
 use crate::witness::Witness;
 

@@ -12,9 +12,9 @@
 
 use super::order::observed_order;
 use super::{End, Request, Trial, breaks};
+use crate::answer::solve::DEFAULT_TOLERANCE;
 use crate::route::Solver;
 use crate::scene::{Grid, Scene};
-use crate::answer::solve::DEFAULT_TOLERANCE;
 use crate::solvers::MOST_WORK;
 use crate::verdict::{Demand, Refusal};
 

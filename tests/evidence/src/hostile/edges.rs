@@ -132,7 +132,7 @@ pub(super) fn spiky(random: &mut Random) -> Draft {
                 c.push(if k % 2 == 0 { unit } else { -unit });
                 unit *= random.between(0.3, 2.5) / l;
             }
-            c.truncate(7);
+            c.truncate(10);
             Foundation::Polynomial { coefficients: c }
         }
     };

@@ -128,7 +128,7 @@ fn so(draft: &Draft, error: &SceneError) -> bool {
             at_support(at).is_some_and(|s| s.slope.is_some()) && draft.shape.is_some()
         }
         SceneError::Coefficients { count, .. } => match ground {
-            Some(Foundation::Polynomial { coefficients }) => 7 < count && coefficients[count - 1] != 0.0,
+            Some(Foundation::Polynomial { coefficients }) => 10 < count && coefficients[count - 1] != 0.0,
             _ => false,
         },
         SceneError::Unheld(_) => matches!(statics(draft), None | Some(Statics::Falls | Statics::Border)),

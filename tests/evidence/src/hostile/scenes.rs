@@ -58,7 +58,7 @@ pub enum Family {
     Level,
     /// Deflections and forces of very small and very large numbers.
     Units,
-    /// Polynomials of degree 2 to 9, of which those beyond 6 are refused.
+    /// Polynomials of degree 2 to 9.
     MiddleDegree,
     /// Waves and a load that moves over them.
     Washboard,
