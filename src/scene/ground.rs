@@ -111,7 +111,7 @@ impl Scene {
     }
 
     /// Parts of the beam with one stiffness of the foundation each, from end to end: `[from, to]` and `k`; none on rigid ground.
-    pub(crate) fn ground_parts(&self) -> impl Iterator<Item = ([f64; 2], f64)> + '_ {
+    pub fn ground_parts(&self) -> impl Iterator<Item = ([f64; 2], f64)> + '_ {
         self.given_stiffness().into_iter().flat_map(|stiffness| stiffness.parts(self.beam.length()))
     }
 
