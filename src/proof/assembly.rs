@@ -45,13 +45,61 @@ struct Assembly<'a> {
 }
 
 impl Given {
+    /// Whether a span is nowhere in the ground.
+    fn is_above(&self, curve: &[([f64; 2], Polynomial)]) -> bool {
+        curve.iter().all(|(part, v)| self.is_clear(*part, v))
+    }
+
+    /// Span `i` less `α s^a (L − s)^b`, with the least `α` of some sizes that puts it above the ground; [`None`] where it is above, and
+    /// where none is enough. Moments are chosen after it: under an axial force they hang on the deflection.
+    fn lifted(
+        &self,
+        nodes: &[HoldingNode],
+        i: usize,
+        span: &[([f64; 2], Polynomial)],
+    ) -> Option<Vec<([f64; 2], Polynomial)>> {
+        if self.is_above(span) {
+            return None;
+        }
+        let ends = [span[0].0[0], span[span.len() - 1].0[1]];
+        let power = |node: Option<&HoldingNode>| {
+            let Some(node) = node else { return 0 };
+            let at_end = node.x <= 0.0 || self.length <= node.x;
+            let turns = node.along.is_none()
+                && node.pressed.is_none()
+                && self.support(node.x).is_none_or(|s| s.slope.is_none());
+            if at_end && turns { 1 } else { 2 }
+        };
+        let powers = [power(i.checked_sub(1).and_then(|i| nodes.get(i))), power(nodes.get(i))];
+        let l = width(ends);
+        let shape = |part: [f64; 2]| {
+            let offset = width([ends[0], part[0]]);
+            let lines = [[offset.clone(), RBig::ONE], [&l - offset, -RBig::ONE]];
+            let factors = powers.iter().zip(&lines).flat_map(|(power, line)| (0..*power).map(move |_| line));
+            factors.fold(vec![RBig::ONE], |product_so_far, line| product(&product_so_far, line))
+        };
+        let sizes = span.iter().flat_map(|(part, v)| [jet(v, &RBig::ZERO), jet(v, &width(*part))]);
+        let size = sizes.map(|[v, slope]| magnitude(&v) + magnitude(&slope) * &l).max().unwrap_or(RBig::ZERO);
+        let size = (0..powers[0] + powers[1]).fold(size, |size, _| size / &l);
+        let lifted = |by: &RBig| -> Vec<([f64; 2], Polynomial)> {
+            span.iter().map(|(part, v)| (*part, plus(v, &-by, &shape(*part)))).collect()
+        };
+        least_lift(&size, |by| self.is_above(&lifted(by))).map(|by| lifted(&by))
+    }
+
     /// The fields of nodes with their slopes.
     ///
     /// # Errors
     ///
     /// What is not admissible, as [`Unproven`] has it.
     pub(super) fn assembled(&self, nodes: &[HoldingNode]) -> Result<Fields, Unproven> {
-        let spans = (0..=nodes.len()).map(|i| self.span(nodes, i)).collect::<Result<Vec<_>, _>>()?;
+        let mut spans = (0..=nodes.len()).map(|i| self.span(nodes, i)).collect::<Result<Vec<_>, _>>()?;
+        let mut is_lifted = false;
+        for (i, span) in spans.iter_mut().enumerate().filter_map(|(i, span)| Some((i, span.as_mut()?))) {
+            if let Some(curve) = self.lifted(nodes, i, &span.curve) {
+                (span.curve, is_lifted) = (curve, true);
+            }
+        }
         let equilibrium = Equilibrium { given: self, nodes, spans: &spans };
         let mut assembly = Assembly { given: self, nodes, spans: &spans, moments: Vec::new(), hanging: Vec::new() };
         let near =
@@ -59,12 +107,12 @@ impl Given {
         let chosen = equilibrium.corrected(Chosen { nodes: near, springs: equilibrium.springs() })?;
         assembly.hanging = (0..spans.len()).map(|i| equilibrium.moments(i, &chosen).0).collect();
         assembly.moments = chosen.nodes;
-        let (mut cells, mut is_lifted) = (Vec::new(), false);
+        let mut cells = Vec::new();
         for (i, span) in spans.iter().enumerate() {
             if span.is_some() {
-                let (lifted, lift) = assembly.lifted(i, assembly.hanging_cells(i))?;
-                is_lifted |= lift;
-                cells.extend(lifted);
+                let (clear, touches) = assembly.clear_cells(i)?;
+                is_lifted |= touches;
+                cells.extend(clear);
             } else if 0 < i && i < nodes.len() {
                 cells.extend(match &nodes[i - 1].right {
                     Part::Pressed(sunk) => vec![assembly.pressed(i, sunk)?],
@@ -199,45 +247,15 @@ impl Assembly<'_> {
         span.curve.iter().zip(&self.hanging[i]).map(of).collect()
     }
 
-    /// A span less `α s^a (L − s)^b`, with the least `α` of some sizes that puts it above the ground.
-    fn lifted(&self, i: usize, cells: Vec<Cell>) -> Result<(Vec<Cell>, bool), Unproven> {
-        let Some(Span { curve: span, .. }) = &self.spans[i] else { return Ok((cells, false)) };
-        let given = self.given;
-        let is_clear =
-            |cells: &[Cell]| span.iter().zip(cells).all(|((part, _), c)| given.is_clear(*part, &c.deflection));
-        if is_clear(&cells) {
+    /// The cells of span `i`, and whether ends of it count as pressed.
+    fn clear_cells(&self, i: usize) -> Result<(Vec<Cell>, bool), Unproven> {
+        let cells = self.hanging_cells(i);
+        let Some(Span { curve, .. }) = &self.spans[i] else { return Ok((cells, false)) };
+        if self.given.is_above(curve) {
             return Ok((cells, false));
         }
-        let ends = [span[0].0[0], span[span.len() - 1].0[1]];
-        let power = |node: Option<&HoldingNode>| {
-            let Some(node) = node else { return 0 };
-            let at_end = node.x <= 0.0 || given.length <= node.x;
-            let turns = node.along.is_none()
-                && node.pressed.is_none()
-                && given.support(node.x).is_none_or(|s| s.slope.is_none());
-            if at_end && turns { 1 } else { 2 }
-        };
-        let powers = [power(i.checked_sub(1).and_then(|i| self.nodes.get(i))), power(self.nodes.get(i))];
-        let l = width(ends);
-        let shape = |part: [f64; 2]| {
-            let offset = width([ends[0], part[0]]);
-            let lines = [[offset.clone(), RBig::ONE], [&l - offset, -RBig::ONE]];
-            let factors = powers.iter().zip(&lines).flat_map(|(power, line)| (0..*power).map(move |_| line));
-            factors.fold(vec![RBig::ONE], |product_so_far, line| product(&product_so_far, line))
-        };
-        let sizes = span.iter().flat_map(|(part, v)| [jet(v, &RBig::ZERO), jet(v, &width(*part))]);
-        let size = sizes.map(|[v, slope]| magnitude(&v) + magnitude(&slope) * &l).max().unwrap_or(RBig::ZERO);
-        let size = (0..powers[0] + powers[1]).fold(size, |size, _| size / &l);
-        let lifted = |by: &RBig| -> Vec<Cell> {
-            let less = |((part, _), c): (&([f64; 2], Polynomial), &Cell)| Cell {
-                deflection: plus(&c.deflection, &-by, &shape(*part)),
-                ..c.clone()
-            };
-            span.iter().zip(&cells).map(less).collect()
-        };
-        let least = least_lift(&size, |by| is_clear(&lifted(by))).map(|by| lifted(&by));
-        let lifted = least.or_else(|| self.touching(span, &cells)).ok_or(Unproven::InGround { ends })?;
-        Ok((lifted, true))
+        let ends = [curve[0].0[0], curve[curve.len() - 1].0[1]];
+        Ok((self.touching(curve, &cells).ok_or(Unproven::InGround { ends })?, true))
     }
 
     /// On ground that gives, a span whose ends may be below the surface by rounding: there they count as pressed, without a pressure.

@@ -28,21 +28,9 @@ pub struct SparseForm {
     pub sizes: Sizes,
 }
 
+/// What the libraries ask of a form before they have it.
+#[cfg(any(feature = "clarabel", feature = "osqp"))]
 impl SparseForm {
-    /// The form without equations, from the matrix alone: `z = x/X`, `P = A X/G`, `c = −b/G`.
-    #[must_use]
-    pub(crate) fn of_matrix(qp: &dyn Qp) -> Self {
-        let sizes = qp.sizes();
-        Self {
-            quadratic: qp.matrix().upper_columns(sizes.x / sizes.gradient),
-            linear: qp.linear().iter().map(|b| -b / sizes.gradient).collect(),
-            equations: vec![Vec::new(); qp.dimension()],
-            right: Vec::new(),
-            signed: 0,
-            sizes,
-        }
-    }
-
     /// All numbers of the form.
     fn numbers(&self) -> impl Iterator<Item = f64> {
         let equations = self.equations.iter().flatten().map(|(_, value)| value);
@@ -67,6 +55,22 @@ impl SparseForm {
         let UpperColumns { starts, rows, values } = &self.quadratic;
         let columns = starts.windows(2).enumerate();
         columns.into_iter().any(|(j, s)| (s[0]..s[1]).any(|k| rows[k] == j && values[k] < 0.0))
+    }
+}
+
+impl SparseForm {
+    /// The form without equations, from the matrix alone: `z = x/X`, `P = A X/G`, `c = −b/G`.
+    #[must_use]
+    pub(crate) fn of_matrix(qp: &dyn Qp) -> Self {
+        let sizes = qp.sizes();
+        Self {
+            quadratic: qp.matrix().upper_columns(sizes.x / sizes.gradient),
+            linear: qp.linear().iter().map(|b| -b / sizes.gradient).collect(),
+            equations: vec![Vec::new(); qp.dimension()],
+            right: Vec::new(),
+            signed: 0,
+            sizes,
+        }
     }
 
     /// What `z`, with multipliers `y` of the equations, leaves of them and of the gradient: `E z − e`, length r, and

@@ -28,7 +28,8 @@ const RIGID: &[Feature] = &[
     Feature::Turning,
     Feature::Stop,
 ];
-const PULLED: &[Feature] = &[Feature::Couple, Feature::Steps, Feature::Tension];
+const PULLED: &[Feature] =
+    &[Feature::Couple, Feature::Steps, Feature::Spring, Feature::Turning, Feature::Stop, Feature::Tension];
 const SOIL: &[Feature] = &[Feature::Couple, Feature::Steps, Feature::Joint, Feature::SoilSteps];
 const GENERAL_SCENES: usize = 400;
 
