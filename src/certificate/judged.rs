@@ -147,10 +147,9 @@ pub(super) fn cubics<'a>(
         return None;
     }
     let enclosed = *enclosed;
-    let built_in = move |x: f64| supports.binary_search_by(|s| s.x.total_cmp(&x)).ok().and_then(|i| supports[i].slope);
+    let built_in = move |x: f64| enclosed.support(x).and_then(|support| support.slope);
     let turns = move |x: f64| {
-        let at = |s: &&EnclosedSupport| s.x.total_cmp(&x).is_eq();
-        let held = supports.iter().find(at).and_then(|s| s.gives);
+        let held = enclosed.support(x).and_then(|support| support.gives);
         held.is_some_and(|gives| gives.turning.is_some())
             || enclosed.said.iter().any(|s| s.x.total_cmp(&x).is_eq() && s.gives.turning.is_some())
     };

@@ -89,7 +89,7 @@ fn on_springs(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Interval> {
         let bent = widths.clone().map(side).fold(Interval::ZERO, |sum, side| sum + side);
         if enclosed.tension != 0.0 {
             let root = (number(2) * Interval::exact(pair.gap) * bent).sqrt() * number(2);
-            return force + Interval::around_zero((root + pulled(enclosed, pair, widths)).hi());
+            return force + Interval::around_zero((root + pulled(enclosed, pair, widths.map(Interval::exact))).hi());
         }
         let size = straight(enclosed, i).map(|square| k * square).filter(|size| size.hi() < bent.hi()).unwrap_or(bent);
         force + Interval::around_zero((number(2) * Interval::exact(pair.gap) * size).sqrt().hi())

@@ -143,8 +143,8 @@ impl Exact {
         [false, true].map(|right| -self.beam(x, right)[3] * self.stiffness * self.scale.force + 0.0)
     }
 
-    /// Clearance `h = g − v` \[length\]; at a step the smaller one, above a support that only pushes that from it; infinite where there
-    /// is nothing to touch.
+    /// Clearance `h = g − v` \[length\]; at a step the smaller one, above a support that only pushes that from it, also from one that gives
+    /// where there is no ground; infinite where there is nothing to touch.
     #[must_use]
     pub fn clearance(&self, x: f64) -> f64 {
         let bearing = self.given.breakpoint_at(x / self.scale.length).filter(|&i| self.given.is_bearing(i));
@@ -152,7 +152,8 @@ impl Exact {
             return (self.given.breakpoints[bearing].depth - self.beam(x, true)[0]) * self.scale.depth;
         }
         if !self.given.founded {
-            return f64::INFINITY;
+            let stop = self.given.breakpoint_at(x / self.scale.length).and_then(|i| self.given.stop_at(i));
+            return stop.map_or(f64::INFINITY, |stop| (stop.level - self.beam(x, true)[0]) * self.scale.depth);
         }
         let [left, right] = [false, true].map(|right| {
             if let Some(springs) = &self.springs {

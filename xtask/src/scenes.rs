@@ -2,11 +2,11 @@
 
 use std::fs;
 use std::io;
-use std::ops::ControlFlow;
 use std::path::Path;
 
 use palkki::scene::Scene;
-use palkki::scene::file::{Beside, Model, ReadProblem, parse, parse_train};
+use palkki::scene::file::{Model, ReadProblem, parse, parse_train};
+use palkki_evidence::texts::Files;
 
 use crate::Cause;
 use crate::report::files;
@@ -48,22 +48,10 @@ pub(crate) fn read(root: &Path, name: &str) -> Result<Scene, Cause> {
 /// Trains that cross a bridge: scenes for sweeps.
 pub(crate) const TRAINS: &str = "report/scenes/trains";
 
-struct NoFiles;
-
-impl Beside for NoFiles {
-    fn text(&mut self, _: &str) -> Result<String, ReadProblem> {
-        Err(ReadProblem::Missing)
-    }
-
-    fn lines(&mut self, _: &str, _: &mut dyn FnMut(&str) -> ControlFlow<()>) -> Result<(), ReadProblem> {
-        Err(ReadProblem::Missing)
-    }
-}
-
 /// A train.
 pub(crate) fn train(root: &Path, name: &str) -> Result<Scene, Cause> {
     let text = fs::read_to_string(root.join(TRAINS).join(format!("{name}.toml")))?;
-    match parse_train(name, &text, &mut NoFiles)? {
+    match parse_train(name, &text, &mut Files(&[]))? {
         Model::Scene(scene) => Ok(scene),
         Model::Body(_) => Err(format!("{name} is a body").into()),
     }

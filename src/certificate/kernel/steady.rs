@@ -22,6 +22,7 @@
 
 use super::contact_node::EnclosedScene;
 use super::interval::Interval;
+use super::load::cells;
 use super::polynomial::number;
 use crate::scene::Support;
 
@@ -133,15 +134,11 @@ impl EnclosedScene<'_> {
 
     /// By how many pivots too many are negative between two places beyond which nothing is passed on.
     fn bears_between(&self, [from, to]: [f64; 2], force: f64) -> Option<i32> {
-        let mut places: Vec<f64> = self.beam.holding().map(|support| support.at).collect();
-        places.extend(self.changes.iter().copied().chain(self.joints.iter().map(|joint| joint.0)));
-        places.retain(|x| from < *x && *x < to);
-        places.extend([from, to]);
-        places.sort_by(f64::total_cmp);
-        places.dedup();
+        let held = self.beam.holding().map(|support| support.at);
+        let places = held.chain(self.changes.iter().copied()).chain(self.joints.iter().map(|joint| joint.0));
         let mut chain = Elimination::default();
-        for ends in places.windows(2) {
-            let stiffness = self.stiffness_between([ends[0], ends[1]]);
+        for ends in cells(from, to, places.collect()) {
+            let stiffness = self.stiffness_between(ends);
             let most = (MOST * stiffness / force.abs()).sqrt() * (1.0 - 1e-9);
             let parts = ((ends[1] - ends[0]) / most).ceil().max(1.0);
             let cut = |k: f64| if k < parts { ends[0] + (ends[1] - ends[0]) * (k / parts) } else { ends[1] };

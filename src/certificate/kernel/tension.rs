@@ -222,7 +222,7 @@ impl Span {
             let Some(k) = enclosed.joint(ends[1]).filter(|k| 0.0 < *k) else { continue };
             let kink = self.kinks.iter().filter(|kink| kink.0.total_cmp(&ends[1]).is_eq());
             let turned = kink.fold(Interval::ZERO, |sum, kink| sum + kink.1) * Interval::exact(k);
-            let here = if ends[1].total_cmp(&self.to).is_eq() { moments[1] } else { bent.at(width) };
+            let here = self.moment_behind(*ends, &bent, moments);
             sum = sum + (turned + here).square() / (number(2) * Interval::exact(k));
         }
         sum
@@ -240,11 +240,12 @@ impl Span {
         }
         let bent = self.moments_under_tension(enclosed, parts, moments);
         let hinged = bent.into_iter().filter(|(ends, _)| enclosed.is_hinge(ends[1]));
-        let left = |(ends, bent): ([f64; 2], Polynomial)| match ends[1].total_cmp(&self.to).is_eq() {
-            true => (ends[1], moments[1]),
-            false => (ends[1], bent.at(Interval::length(ends[0], ends[1]))),
-        };
-        hinged.map(left).collect()
+        hinged.map(|(ends, bent)| (ends[1], self.moment_behind(ends, &bent, moments))).collect()
+    }
+
+    /// `M` at the right end of a part.
+    fn moment_behind(&self, [from, to]: [f64; 2], bent: &Polynomial, moments: [Interval; 2]) -> Interval {
+        if to.total_cmp(&self.to).is_eq() { moments[1] } else { bent.at(Interval::length(from, to)) }
     }
 
     /// Lifts the parts beside contacts, each for itself, as far as it has to be: over a whole span the axial force would make much of what is

@@ -8,8 +8,8 @@ use crate::certificate::kernel::proof::Pair;
 
 /// By how much `∫ N w' φ' dx` is off, `w = v̂ − v*`: with `N ∫ w'² ≤ 2 gap` and `∫ φ'² = 6/5w` on each side under tension, with `∫ |φ''| = 3/w` under
 /// compression.
-pub(super) fn pulled(enclosed: &EnclosedScene<'_>, pair: &Pair, widths: impl Iterator<Item = f64>) -> Interval {
-    let sides = widths.fold(Interval::ZERO, |sum, width| sum + number(1) / Interval::exact(width));
+pub(super) fn pulled(enclosed: &EnclosedScene<'_>, pair: &Pair, widths: impl Iterator<Item = Interval>) -> Interval {
+    let sides = widths.fold(Interval::ZERO, |sum, width| sum + number(1) / width);
     let force = Interval::exact(enclosed.tension.abs());
     if 0.0 < enclosed.tension {
         return (number(12) * Interval::exact(pair.gap) * force * sides / number(5)).sqrt();
@@ -25,12 +25,7 @@ pub(super) fn pulled(enclosed: &EnclosedScene<'_>, pair: &Pair, widths: impl Ite
 /// |κ| ≤ √(2 gap) (2 √(12 EI/c³) + √(6 N/5 c)),      under compression with max |w| (∫ |φ'| dx = 3/c) in the last term: 3 |N| max |w|/c
 /// ```
 pub(super) fn under_axial_force(enclosed: &EnclosedScene<'_>, pair: &Pair, c: Interval) -> Interval {
-    let (root, force) = ((number(2) * Interval::exact(pair.gap)).sqrt(), Interval::exact(enclosed.tension.abs()));
+    let root = (number(2) * Interval::exact(pair.gap)).sqrt();
     let bent = number(2) * root * (number(12) * Interval::exact(enclosed.stiffest) / (c * c * c)).sqrt();
-    let pulled = if 0.0 < enclosed.tension {
-        root * (number(6) * force / (number(5) * c)).sqrt()
-    } else {
-        number(3) * force * Interval::exact(distance::anywhere(pair, enclosed.stiffness, enclosed.length)) / c
-    };
-    (bent + pulled).square()
+    (bent + pulled(enclosed, pair, std::iter::once(c))).square()
 }

@@ -14,11 +14,11 @@ impl Sweep<'_> {
     /// The events at which it begins to buckle or ceases to, between values of which the one bears its compression.
     pub(super) fn buckling(&self) -> Vec<Event> {
         let bears = |value: f64| self.scene(value).and_then(|scene| scene.scaled()).is_ok();
-        let values: Vec<f64> = self.values().collect();
-        let between = |two: &[f64]| {
-            let (with, without, what) = match [0, 1].map(|i| bears(two[i])) {
-                [true, false] => (two[0], two[1], "the beam buckles"),
-                [false, true] => (two[1], two[0], "the beam no longer buckles"),
+        let values: Vec<(f64, bool)> = self.values().map(|value| (value, bears(value))).collect();
+        let between = |two: &[(f64, bool)]| {
+            let (with, without, what) = match [two[0], two[1]] {
+                [(before, true), (after, false)] => (before, after, "the beam buckles"),
+                [(before, false), (after, true)] => (after, before, "the beam no longer buckles"),
                 _ => return None,
             };
             self.buckles(without).then_some(())?;

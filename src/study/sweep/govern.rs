@@ -12,7 +12,6 @@ use std::cell::Cell;
 use super::events::PAST;
 use super::until::{Measure, Measured};
 use super::{GOLDEN, Sweep};
-use crate::scene::Scene;
 use crate::theory::Exact;
 
 /// Places at which the scene is solved, beside the rows. *Tuned* on the drawn envelopes of the tests: with a quarter of them none differs.
@@ -187,15 +186,14 @@ impl<'a> Govern<'a> {
         if self.left.get() == 0 {
             return None;
         }
-        let answer = self.sweep.answer(value, self.near.as_ref().as_slice()).ok();
-        let work = answer.as_ref().map_or(1, |(_, exact)| exact.work());
+        let answer = self.sweep.answer(value, self.near.as_ref().as_slice()).ok().map(|(_, exact)| exact);
+        let work = answer.as_ref().map_or(1, Exact::work);
         self.left.set(self.left.get().saturating_sub(work));
-        let solved = answer.filter(|(_, exact)| exact.solved);
-        let of = |(scene, exact): &(Scene, Exact)| {
-            Sample::of(value, exact).asking(self.asked.and_then(|asked| asked.of(exact, scene.beam())))
-        };
+        let solved = answer.filter(|exact| exact.solved);
+        let length = self.sweep.scene.beam().length();
+        let of = |exact: &Exact| Sample::of(value, exact).asking(self.asked.and_then(|asked| asked.of(exact, length)));
         let sample = solved.as_ref().map_or(Sample { value, known: None }, of);
-        self.near = solved.map(|(_, exact)| exact).or_else(|| self.near.take());
+        self.near = solved.or_else(|| self.near.take());
         Some(sample)
     }
 

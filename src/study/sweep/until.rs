@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::scene::{Beam, Scene, shown};
+use crate::scene::{Scene, shown};
 use crate::theory::Exact;
 
 /// A number that each answer of a sweep has.
@@ -187,8 +187,8 @@ impl Measure {
         }
     }
 
-    /// What it is in an answer of this beam, if that is a number.
-    pub(super) fn of(self, exact: &Exact, beam: &Beam) -> Option<Measured> {
+    /// What it is in an answer of a beam of this length, if that is a number.
+    pub(super) fn of(self, exact: &Exact, length: f64) -> Option<Measured> {
         let state = &exact.state;
         let deflection = state.deflection.max.abs().max(state.deflection.min.abs());
         let forces = state.supports.iter().map(|support| support.force.abs());
@@ -199,19 +199,14 @@ impl Measure {
             Self::Shear(x) => (exact.shear(x)[1], force),
             Self::Clearance(x) => (exact.clearance(x), deflection),
             Self::Support(index) => (state.supports.get(index)?.force, force),
-            Self::Contact if state.contacts.is_empty() => {
-                (-exact.clearance_extremes(0.0, beam.length()).min, deflection)
-            }
+            Self::Contact if state.contacts.is_empty() => (-exact.clearance_extremes(0.0, length).min, deflection),
             Self::Contact => (state.contact_force(), force),
             Self::Bearings => {
-                let shape = |x: f64| beam.shape().map_or(0.0, |shape| shape.depth(x));
-                let all = beam.all_supports().into_iter().zip(&state.supports);
-                let bearings: Vec<_> = all.filter(|(support, _)| support.pushes_only).collect();
-                let lifted = bearings.iter().filter(|(_, found)| found.force <= 0.0);
-                let clearance = lifted.map(|(of, _)| of.level - shape(of.at) - exact.deflection(of.at));
-                match clearance.max_by(f64::total_cmp) {
+                let bearings = || state.supports.iter().filter(|support| support.pushes_only);
+                let lifted = bearings().filter(|support| support.force <= 0.0);
+                match lifted.map(|support| exact.clearance(support.at)).max_by(f64::total_cmp) {
                     Some(most) => (0.0 - most, deflection),
-                    None => (bearings.iter().map(|(_, found)| found.force).fold(f64::INFINITY, f64::min), force),
+                    None => (bearings().map(|support| support.force).fold(f64::INFINITY, f64::min), force),
                 }
             }
         };

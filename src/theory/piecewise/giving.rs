@@ -37,8 +37,16 @@ impl PiecewiseScene {
 
     /// The one of them at breakpoint `i`.
     pub(in crate::theory) fn spring_at(&self, i: usize) -> Option<&AtSpring> {
-        let at = self.springs.binary_search_by_key(&i, |spring| spring.breakpoint).ok()?;
-        Some(&self.springs[at]).filter(|spring| spring.acts)
+        self.giving_at(i).filter(|spring| spring.acts)
+    }
+
+    /// The support at breakpoint `i` that gives and only pushes, pressed or not.
+    pub(in crate::theory) fn stop_at(&self, i: usize) -> Option<&AtSpring> {
+        self.giving_at(i).filter(|spring| spring.pushes_only)
+    }
+
+    fn giving_at(&self, i: usize) -> Option<&AtSpring> {
+        self.springs.binary_search_by_key(&i, |spring| spring.breakpoint).ok().map(|at| &self.springs[at])
     }
 
     /// The spring against turning at breakpoint `i`: its stiffness, and the slope without moment.

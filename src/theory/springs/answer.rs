@@ -112,7 +112,8 @@ fn bend(part: &Part) -> Vec<f64> {
     second(&part.deflection).iter().map(|c| 0.0 - c * part.stiffness).collect()
 }
 
-fn second(taylor: &[f64]) -> Vec<f64> {
+/// Taylor coefficients of the second derivative.
+pub(super) fn second(taylor: &[f64]) -> Vec<f64> {
     let mut taylor = taylor.to_vec();
     differentiated(differentiated(&mut taylor)).to_vec()
 }

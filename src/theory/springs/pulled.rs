@@ -12,6 +12,7 @@
 //! with `G'''' = ν G'' − K G`, all of `G` zero at the beginning but `G₃ = 1`, `G_j` its derivatives at the end, `f₀ = G₃ − ν G₁`,
 //! `f₁ = G₂ − ν G`, `r = ν G₂ − K G`, `Δ = G₂ f₁ + K G²` and `s² = 2 √K + ν`. Deep in a zone `h = F/K + (ν h'' − h'''')/K`.
 
+use super::answer::second;
 use super::links::{Beam, Link, fourth};
 use crate::theory::piece::derivatives;
 use crate::theory::span::Drive;
@@ -86,12 +87,6 @@ fn series(k: f64, pull: f64, first: [f64; 4]) -> [f64; TERMS] {
         taylor[n + 4] = (pull * bent * taylor[n + 2] - k * taylor[n]) / (bent * ((n + 3) * (n + 4)) as f64);
     }
     taylor
-}
-
-/// The second derivative.
-#[expect(clippy::cast_precision_loss, reason = "an order is a small number")]
-fn second(taylor: &[f64]) -> Vec<f64> {
-    taylor.iter().skip(2).enumerate().map(|(n, c)| c * ((n + 1) * (n + 2)) as f64).collect()
 }
 
 /// The particular `h` deep in a zone, from `g'''' − q/e`, the profile, `ν` and `K`.

@@ -2,8 +2,7 @@
 
 use palkki::qp::Qp as _;
 use palkki::scene::file::{Model, parse_model};
-
-use super::messages::Files;
+use palkki_evidence::texts::Files;
 
 /// The same matrix in each layout that is read.
 const LAYOUTS: [(&str, &str); 6] = [

@@ -1,26 +1,10 @@
 //! Everything that can be wrong with `[body]` and its files: one thing wrong in each case, and all messages, as a person reads them, in
 //! `snapshots/body_messages.snap`.
 
-use std::ops::ControlFlow;
-
-use palkki::scene::file::{Beside, Model, ReadProblem, parse_answers, parse_model};
+use palkki::scene::file::{Model, parse_answers, parse_model};
+use palkki_evidence::texts::Files;
 
 use crate::support::assert_text;
-
-/// The files beside the scene, by their names.
-pub(super) struct Files<'a>(pub(super) &'a [(&'a str, &'a str)]);
-
-impl Beside for Files<'_> {
-    fn text(&mut self, path: &str) -> Result<String, ReadProblem> {
-        let found = self.0.iter().find(|(name, _)| *name == path);
-        found.map(|(_, text)| (*text).to_owned()).ok_or(ReadProblem::Missing)
-    }
-
-    fn lines(&mut self, path: &str, each: &mut dyn FnMut(&str) -> ControlFlow<()>) -> Result<(), ReadProblem> {
-        let _ = self.text(path)?.lines().try_for_each(each);
-        Ok(())
-    }
-}
 
 const SCENE: &str = "title = 'Two springs'\n[body]\nflexibility = 'C.mtx'\ngap = 'gap.csv'\nload = 'load.csv'\n";
 const MATRIX: &str =

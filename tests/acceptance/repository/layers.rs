@@ -95,7 +95,7 @@ const KERNEL: &str = "src/certificate/kernel";
 /// moments of a pair on one, 37 for couples as loads, 235 for a bending stiffness in steps and joints, 60 for elastic foundations in steps and what changes
 /// above them, 330 for supports that give and hinges, and 500 for axial forces: spans of parts, hinges, strings, and the
 /// proof of what is left of buckling.
-const MOST_LINES: usize = 2855;
+const MOST_LINES: usize = 2835;
 
 /// The files of the kernel without their tests.
 fn kernel() -> BTreeMap<String, String> {

@@ -159,6 +159,9 @@ fn contact_with_bearings_begins_and_ends_where_the_closed_form_has_it() {
         let supports = [Support::simple(0.0), stop, Support::simple(L)];
         let found = crossed(&beam(&supports, 1.0, &[]), "load.uniform", [0.01, 1.0], "contact");
         near(&found, &[384.0 * EI * 0.02 / (5.0 * L.powi(4))], "load that closes the play");
+        let half = format!("clearance({}) = 0.01", 0.5 * L);
+        let found = crossed(&beam(&supports, 1.0, &[]), "load.uniform", [0.01, 1.0], &half);
+        near(&found, &[384.0 * EI * 0.01 / (5.0 * L.powi(4))], "load that leaves half of the play");
     }
     let supports = [Support::pushing(0.0), Support::simple(5.0), Support::simple(10.0)];
     let found = crossed(&beam(&supports, 1.0, &[(7.5, 1.0)]), "load.point[0].force", [1.0, 50.0], "contact");

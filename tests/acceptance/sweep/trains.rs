@@ -1,12 +1,11 @@
 //! Trains that come onto the beam and leave it, influence lines, and what goes with the governing value.
 
-use std::ops::ControlFlow;
-
-use palkki::scene::file::{Beside, Model, ReadProblem, parse, parse_train};
+use palkki::scene::file::{Model, ReadProblem, parse, parse_train};
 use palkki::scene::{Foundation, Scene, Support};
 use palkki::sweep::{AtPlace, Sweep};
 use palkki::theory;
 use palkki_evidence::random::Random;
+use palkki_evidence::texts::Files;
 
 use super::envelope::gathered;
 use crate::scenes::{ends, on_supports};
@@ -161,7 +160,7 @@ fn a_train_may_be_longer_than_its_bridge() {
     let text = format!("{beam}[load]\nuniform = 1.0\npoint = [{point}{still}]\n");
     let refused = parse("train", &text, |_| Err(ReadProblem::Missing)).expect_err("an axle beyond the beam");
     assert!(refused.to_string().contains("must lie on the beam, between 0 and 30"), "{refused}");
-    let Ok(Model::Scene(scene)) = parse_train("train", &text, &mut NoFiles) else { panic!("a scene") };
+    let Ok(Model::Scene(scene)) = parse_train("train", &text, &mut Files(&[])) else { panic!("a scene") };
     assert_eq!(scene.loads_beyond().collect::<Vec<_>>(), [1, 2, 3, 4]);
     let path = "load.point[0].at,load.point[1].at,load.point[2].at,load.point[3].at";
     let sweep = Sweep::new(&scene, path, [-5.0, 75.0], 33).expect("a sweep");
@@ -173,17 +172,5 @@ fn a_train_may_be_longer_than_its_bridge() {
         let near = |a: f64, b: f64| assert!((a - b).abs() <= 1e-12 * state.moment.max, "{}: {a} {b}", row.value);
         near(row.solution.state.moment.max, state.moment.max);
         near(row.solution.state.reactions.left, state.reactions.left);
-    }
-}
-
-struct NoFiles;
-
-impl Beside for NoFiles {
-    fn text(&mut self, _: &str) -> Result<String, ReadProblem> {
-        Err(ReadProblem::Missing)
-    }
-
-    fn lines(&mut self, _: &str, _: &mut dyn FnMut(&str) -> ControlFlow<()>) -> Result<(), ReadProblem> {
-        Err(ReadProblem::Missing)
     }
 }

@@ -11,6 +11,22 @@ use palkki::body::matrix_market;
 use palkki::scene::file::{self, FileError, Problem, ReadProblem, parse, parse_forces};
 use palkki::scene::{Foundation, Scene};
 
+/// The files beside a scene, by their names; no others are there.
+#[derive(Debug)]
+pub struct Files<'a>(pub &'a [(&'a str, &'a str)]);
+
+impl file::Beside for Files<'_> {
+    fn text(&mut self, path: &str) -> Result<String, ReadProblem> {
+        let found = self.0.iter().find(|(name, _)| *name == path);
+        found.map(|(_, text)| (*text).to_owned()).ok_or(ReadProblem::Missing)
+    }
+
+    fn lines(&mut self, path: &str, each: &mut dyn FnMut(&str) -> ControlFlow<()>) -> Result<(), ReadProblem> {
+        let _ = self.text(path)?.lines().try_for_each(each);
+        Ok(())
+    }
+}
+
 /// Length of the beam that surveys and forces are read for.
 const LENGTH: f64 = 10.0;
 
