@@ -1,9 +1,7 @@
 //! `certify`: how good are contact forces that some program computed?
 
 use palkki::Witness;
-use palkki::certificate::{
-    Certificate, ContactLoad, Judged, Lumped, Violation, ViolationKind, violations, violations_at_nodes,
-};
+use palkki::certificate::{Certificate, ContactLoad, Judged, Lumped, Violation, ViolationKind, violations_at_nodes};
 use palkki::route::Status;
 use palkki::scene::file::{FileError, Problem};
 use palkki::state::Contact;
@@ -57,7 +55,7 @@ impl Finding {
             Failure::File(Box::new(FileError::whole(&name, Problem::ForcesWithoutHeader)))
         })?;
         let certificate = witness.judge(Judged::Forces(&load), &own).map_err(|error| input.error(error))?;
-        let violations = violations(scene, &load).map_err(|error| input.error(error))?;
+        let violations = witness.violations(&load).map_err(|error| input.error(error))?;
         let verdict = Verdict::of_forces(certificate.clone());
         let refused = verdict.status != Status::Certified;
         let perhaps = lumped.ok().filter(|_| refused).map(|lumped| lumped.intervals());
