@@ -29,7 +29,13 @@ const FORMULAS: [[&str; 2]; 4] = [
 /// All of a chain.
 pub(super) fn text(chain: &Chain, labels: &Labels, form: Explained) -> String {
     let page = Page { chain, labels, form };
-    page.nodes() + &page.links() + &page.formulas() + &page.slopes() + &page.forces()
+    page.nodes()
+        + &page.links()
+        + &page.formulas()
+        + &page.slopes()
+        + &page.joints()
+        + &super::laws(&chain.laws, labels, form)
+        + &page.forces()
 }
 
 /// A chain that is written.
@@ -150,6 +156,20 @@ impl Page<'_> {
         self.table("Slopes, by the link to the left and by that to the right", &header, &rows)
             + "\nv' left = v' right, and both are the slope that a support holds. "
             + &self.holds(0, |node| self.chain.slopes(node))
+    }
+
+    /// What joints turn by.
+    fn joints(&self) -> String {
+        let joints = self.chain.nodes.iter().enumerate().filter_map(|(i, node)| Some((i + 1, node, node.joint?)));
+        let line = |(i, node, k): (usize, &ChainNode, f64)| match k {
+            0.0 => format!("\nNode {i} is a hinge: M = 0, and v' has two values.\n"),
+            _ => {
+                let turned = [node.moments[0], k, node.moments[0] / k].map(|value| self.number(value));
+                let [moment, k, turned] = turned;
+                format!("\nNode {i} is a joint: v' left - v' right = M/k = {moment} / {k} = {turned}.\n")
+            }
+        };
+        joints.map(line).collect()
     }
 
     fn forces(&self) -> String {

@@ -17,9 +17,10 @@
 //! ```
 //!
 //! `s` and `t` are the slopes and the shear forces of a link whose ends have neither deflection nor moment. At every node `v'` is the same
-//! on both sides, or the slope that a support holds, and `V_right − V_left = R − P`.
+//! on both sides, or the slope that a support holds, and `V_right − V_left = R − P`. In a joint it is less on the right by `M/k`; in a hinge
+//! `M = 0`. What supports that give exert is in module `laws`; one against turning makes `M` jump.
 
-use super::{SAME, What, has_lifted};
+use super::{Law, SAME, What, has_lifted};
 use crate::scene::{Foundation, Scene};
 use crate::theory::Exact;
 use crate::theory::gauss::Gauss;
@@ -41,6 +42,8 @@ pub struct ChainNode {
     pub load: f64,
     /// The force of the support there, upwards on the beam \[force\].
     pub force: f64,
+    /// The stiffness of a joint there, zero of a hinge \[force · length\].
+    pub joint: Option<f64>,
 }
 
 /// The beam between two neighbouring nodes.
@@ -96,6 +99,8 @@ pub struct Chain {
     pub links: Vec<Link>,
     /// Where supports are off which the beam has lifted: no nodes \[length\].
     pub lifted: Vec<f64>,
+    /// Those of supports that give, from left to right.
+    pub laws: Vec<Law>,
 }
 
 impl Chain {
@@ -110,7 +115,9 @@ impl Chain {
             Link::of(scene, ends, if is_pressed(0.5 * (ends[0] + ends[1])) { stiffness(scene, ends) } else { 0.0 })
         };
         let lifted = exact.state.supports.iter().filter(|support| has_lifted(support)).map(|support| support.at);
-        Some(Self { links: nodes.windows(2).map(link).collect(), lifted: lifted.collect(), nodes })
+        let places: Vec<f64> = nodes.iter().map(|node| node.x).collect();
+        let laws = Law::all(scene, exact, &places);
+        Some(Self { links: nodes.windows(2).map(link).collect(), lifted: lifted.collect(), laws, nodes })
     }
 
     /// `v'` at a node by the link to its left and by that to its right.
@@ -139,13 +146,19 @@ impl Chain {
         })
     }
 
-    /// What `v'` on both sides, and the given one, and what the forces at a node differ by.
+    /// What `v'` on both sides, and the given one, and what the forces at a node differ by; in a joint but for what it turns by.
     #[must_use]
     pub fn residuals(&self, node: usize) -> [f64; 2] {
         let ([left, right], [before, behind]) = (self.slopes(node), self.shears(node));
         let at = &self.nodes[node];
         let sum = |parts: Option<Parts>| parts.map(|parts| parts.sum());
-        let known = [sum(left), sum(right), at.slope];
+        let right = match at.joint {
+            // A hinge turns by what it has to.
+            Some(k) if k <= 0.0 => sum(left),
+            Some(k) => sum(right).map(|slope| slope + at.moments[0] / k),
+            None => sum(right),
+        };
+        let known = [sum(left), right, at.slope];
         let apart = |a: Option<f64>, b: Option<f64>| a.zip(b).map_or(0.0, |(a, b)| (a - b).abs());
         let turned = apart(known[0], known[1]).max(apart(known[0], known[2])).max(apart(known[1], known[2]));
         let [before, behind] = [before, behind].map(|side| sum(side).unwrap_or(0.0));
@@ -168,7 +181,7 @@ impl Link {
     fn of(scene: &Scene, [from, to]: [f64; 2], stiffness: f64) -> Self {
         /// Exact to rounding for loads and waves over `1/λ`.
         const DEGREE: usize = 29;
-        let (length, bending) = (to - from, scene.beam().bending_stiffness());
+        let (length, bending) = (to - from, scene.beam().stiffness_between(from, to));
         let k = stiffness / bending;
         let [w0, w1, w2, w3] = [0, 1, 2, 3].map(|m| wave(m, k, length));
         let less = -k * wave(4, k, length);
@@ -225,11 +238,12 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<ChainNode> {
     let (state, length, load) = (&exact.state, scene.beam().length(), scene.load());
     let mut found: Vec<(f64, What, f64)> = Vec::new();
     for support in state.supports.iter().filter(|support| !has_lifted(support)) {
-        let what = if support.moment.is_some() { What::BuiltIn } else { What::Support };
-        found.push((support.at, what, support.force));
+        found.push((support.at, What::of_support(scene, support), support.force));
     }
     found.extend([0.0, length].map(|end| (end, What::End, 0.0)));
     found.extend(state.contacts.iter().flat_map(|c| [c.from, c.to]).map(|x| (x, What::ZoneEnd, 0.0)));
+    found.extend(scene.beam().joints().iter().map(|joint| (joint.at, What::Joint, 0.0)));
+    found.extend(scene.beam().changes().map(|x| (x, What::Step, 0.0)));
     found.extend(load.concentrated().map(|acts| (acts.at, What::Load, 0.0)));
     found.extend(load.linear().iter().flat_map(|q| [q.from, q.to]).map(|x| (x, What::Load, 0.0)));
     let is_pressed = |x: f64| state.contacts.iter().any(|contact| contact.from < x && x < contact.to);
@@ -242,7 +256,7 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<ChainNode> {
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
     found.dedup_by(|next, kept| {
         let same = (next.0 - kept.0).abs() <= SAME * length;
-        if same && kept.1 != What::BuiltIn && matches!(next.1, What::Support | What::BuiltIn) {
+        if same && kept.1 != What::BuiltIn && matches!(next.1, What::Support | What::BuiltIn | What::Spring) {
             *kept = *next;
         }
         same
@@ -250,7 +264,7 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<ChainNode> {
     let mut all: Vec<(f64, What, f64)> = Vec::new();
     for pair in found.windows(2) {
         let [from, to] = [pair[0].0, pair[1].0];
-        let decay = (0.25 * stiffness(scene, [from, to]) / scene.beam().bending_stiffness()).sqrt().sqrt();
+        let decay = (0.25 * stiffness(scene, [from, to]) / scene.beam().stiffness_between(from, to)).sqrt().sqrt();
         let parts = if is_pressed(0.5 * (from + to)) { ((to - from) * decay).ceil().max(1.0) } else { 1.0 };
         let inside = (1_u32..).map(f64::from).take_while(|k| *k < parts);
         all.push(pair[0]);
@@ -259,6 +273,7 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<ChainNode> {
     all.extend(found.last());
     let node = |(x, what, force): (f64, What, f64)| {
         let here = load.point().iter().filter(|load| (load.at - x).abs() <= SAME * length);
+        let joint = scene.beam().joints().iter().find(|joint| (joint.at - x).abs() <= SAME * length);
         ChainNode {
             what,
             x,
@@ -267,6 +282,7 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<ChainNode> {
             moments: exact.moments(x),
             load: here.map(|load| load.force).sum(),
             force,
+            joint: joint.map(|joint| joint.stiffness.unwrap_or(0.0)),
         }
     };
     all.into_iter().map(node).collect()
