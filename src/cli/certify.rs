@@ -83,6 +83,9 @@ pub(super) fn text(input: &Input, finding: &Finding) -> String {
     if input.scene.ground_stiffness().is_some() && !input.scene.beam().is_held() {
         lines.push(("position", "where the springs exert these forces as nearly as possible".to_owned()));
     }
+    if input.scene.is_firm("").is_err() {
+        lines.push(("supports that give", "exert what their law gives for these forces".to_owned()));
+    }
     let cut_off = labels.force.name("forces cut off");
     lines.push((&cut_off, cut));
     text += &list(&lines);
