@@ -29,7 +29,8 @@ const FORMULAS: [[&str; 2]; 4] = [
 /// All of a chain.
 pub(super) fn text(chain: &Chain, labels: &Labels, form: Explained) -> String {
     let page = Page { chain, labels, form };
-    page.nodes()
+    page.tension()
+        + &page.nodes()
         + &page.links()
         + &page.formulas()
         + &page.slopes()
@@ -57,6 +58,16 @@ impl Page<'_> {
 
     fn table(&self, title: &str, header: &[&str], rows: &[Row]) -> String {
         tabled(self.form, title, header, rows)
+    }
+
+    fn tension(&self) -> String {
+        match self.chain.tension {
+            0.0 => String::new(),
+            tension => format!(
+                "\nUnder the axial force N = {} V is the vertical force: the shear force and N v'.\n",
+                self.number(tension)
+            ),
+        }
     }
 
     fn nodes(&self) -> String {
@@ -87,9 +98,13 @@ impl Page<'_> {
 
     fn links(&self) -> String {
         let row = |(i, link): (usize, &Link)| {
-            let Link { length, pressed, stretch, bend, spring, slopes, shears } = *link;
+            let Link { length, pressed, lies, stretch, bend, spring, slopes, shears } = *link;
             let numbers = [length].into_iter().chain([stretch, bend, spring, slopes, shears].into_iter().flatten());
-            let kind = if pressed { "pressed" } else { "free" };
+            let kind = match (pressed, lies) {
+                (_, true) => "along it",
+                (true, _) => "pressed",
+                _ => "free",
+            };
             let names = [(i + 1).to_string(), (i + 2).to_string(), kind.to_owned()];
             names.into_iter().chain(numbers.map(|value| self.number(value))).collect::<Row>()
         };

@@ -201,20 +201,26 @@ fn the_links_of_a_chain_meet_at_every_node() {
     assert!(Chain::of(&rigid, &theory::solve(&rigid).expect("an answer")).is_none());
 }
 
-/// So they do with steps, joints, hinges and supports that give, of which each exerts what its law says.
+/// So they do with steps, joints, hinges and supports that give, of which each exerts what its law says; and under an axial force, half of the
+/// times compression, on rigid ground too.
 #[test]
 fn the_links_of_a_general_beam_meet_at_every_node() {
     /// As above.
     const LEFT: f64 = 1e-8;
-    let (mut laws, mut joints) = (0, 0);
-    for i in 0..sample_of(300_u64) {
-        let text = general(i, &Feature::ALL[..8], true).text;
-        let scene = file::parse("scene.toml", &text, |_| unreachable!("no survey")).expect("a scene");
+    let (mut laws, mut joints, mut tense) = (0, 0, 0);
+    for (i, on_soil) in (0..sample_of(300_u64)).flat_map(|i| [(i, false), (i, true)]) {
+        let sign = if i.is_multiple_of(2) { "-0.01" } else { "" };
+        let text = general(i, &Feature::ALL, on_soil).text.replace("tension = ", &format!("tension = {sign}"));
+        let Ok(scene) = file::parse("scene.toml", &text, |_| unreachable!("no survey")) else { continue };
+        if !on_soil && scene.beam().tension() == 0.0 {
+            continue;
+        }
         let exact = theory::solve(&scene).expect("an answer");
         if !exact.solved {
             continue;
         }
-        let chain = Chain::of(&scene, &exact).expect("an elastic foundation");
+        let chain = Chain::of(&scene, &exact).expect("a chain");
+        tense += usize::from(!on_soil);
         let sizes = |of: &dyn Fn(usize) -> [Option<Parts>; 2]| -> f64 {
             let all = (0..chain.nodes.len()).flat_map(of).flatten();
             all.fold(0.0, |most: f64, parts| most.max(parts.size()))
@@ -223,7 +229,7 @@ fn the_links_of_a_general_beam_meet_at_every_node() {
         for node in 0..chain.nodes.len() {
             let off = chain.residuals(node);
             let close = [0, 1].map(|kind| off[kind] <= LEFT * sizes[kind]);
-            assert_eq!(close, [true; 2], "{i}, node {node}: {off:?} of {sizes:?}\n{text}");
+            assert_eq!(close, [true; 2], "{i}, node {node}: {off:?} of {sizes:?}\n{text}\n{chain:#?}");
         }
         let hinges = chain.nodes.iter().filter(|node| node.joint == Some(0.0));
         let most = chain.nodes.iter().fold(0.0, |most: f64, node| most.max(node.moments[0].abs()));
@@ -233,7 +239,8 @@ fn the_links_of_a_general_beam_meet_at_every_node() {
         );
         joints += chain.nodes.iter().filter(|node| node.joint.is_some()).count();
         for law in &chain.laws {
-            let node = &chain.nodes[law.node.expect("a node of its own")];
+            // Rigid ground may give the deflection.
+            let Some(node) = law.node.map(|node| &chain.nodes[node]) else { continue };
             let turned = node.moments[1] - node.moments[0];
             let acts = scene.load().couple().iter().filter(|couple| (couple.at - law.x).abs() <= 1e-12);
             let own = if law.turning { turned - acts.map(|couple| couple.moment).sum::<f64>() } else { node.force };
@@ -245,7 +252,8 @@ fn the_links_of_a_general_beam_meet_at_every_node() {
             laws += 1;
         }
     }
-    assert!(sample_of(100) < laws && sample_of(60) < joints, "{laws} laws, {joints} joints");
+    let enough = sample_of(100) < laws && sample_of(60) < joints && sample_of(30) < tense;
+    assert!(enough, "{laws} laws, {joints} joints, {tense} under an axial force");
 }
 
 /// Two spans on a bearing `k` in the middle: `R = k v` and `v = (5 q l⁴/384 EI)/(1 + k l³/48 EI)` over the whole length `l`.
@@ -264,6 +272,30 @@ fn an_elastic_bearing_has_the_law_of_the_textbook() {
     // M in the middle by statics, from the bearing alone.
     let moment = q * length * length / 8.0 - 0.25 * k * deflection * length;
     assert!(close(found.nodes[1].moments[0], moment) && found.residual(equation).abs() <= 1e-9 * found.size(equation));
+}
+
+/// A rope with stiffness: `w = (u coth u − 1)/(N ℓ)` and `ω = (1 − u/sinh u)/(N ℓ)` with `u² = N ℓ²/EI`, of links of equal length; those of a strut
+/// have the cotangent.
+#[test]
+fn a_link_under_an_axial_force_has_its_hyperbolic_functions() {
+    for tension in [5.0_f64, -1.5] {
+        let beam = format!("length = 6.0\nbending_stiffness = 40.0\ntension = {tension}");
+        let text = format!("[beam]\n{beam}\n[load]\nuniform = 3.0\n");
+        let scene = file::parse("scene.toml", &text, |_| unreachable!("no survey")).expect("a scene");
+        let chain = Chain::of(&scene, &theory::solve(&scene).expect("an answer")).expect("an axial force");
+        for link in &chain.links {
+            let u = link.length * (tension.abs() / 40.0).sqrt();
+            let over = tension.abs() * link.length;
+            let expected = match 0.0 < tension {
+                true => [(u / u.tanh() - 1.0) / over, (1.0 - u / u.sinh()) / over],
+                false => [(1.0 - u / u.tan()) / over, (u / u.sin() - 1.0) / over],
+            };
+            for (found, expected) in link.bend.into_iter().zip(expected) {
+                assert!((found - expected).abs() <= 1e-12 * expected, "{found} for {expected} under {tension}");
+            }
+            assert!((link.spring[0] - tension / link.length).abs() <= 1e-12 * tension.abs(), "{link:?}");
+        }
+    }
 }
 
 /// Without a foundation a link has the terms of the equation of three moments: `c = 1/L`, `w = L/3EI`, `ω = L/6EI`, `s = q L³/24 EI` and
