@@ -23,9 +23,9 @@ pub(crate) const PATH: &str = "report/data/soil-surveys.csv";
 /// A reading every 0.3 m \[m\].
 const SPACING: f64 = 0.3;
 
-/// Readings, and stiffnesses of the soil in N/m²: mud, sand and stiff clay.
+/// Readings, and stiffnesses of the soil in N/m²: mud, sand, stiff clay, and what is nearly rock.
 const READINGS: [u32; 5] = [1000, 3000, 10_000, 30_000, 100_000];
-const SOILS: [f64; 3] = [1e4, 5e5, 1e7];
+const SOILS: [f64; 4] = [1e4, 5e5, 1e7, 1e9];
 
 /// The bed of all of them.
 const SEED: u64 = 1;

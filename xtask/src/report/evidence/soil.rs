@@ -35,7 +35,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
             error_cell(line.moment_off),
         ]
     });
-    let ratio = |line: &Line| Some(line.certified_s? / line.elements_s?);
+    let ratio = |line: &Line| Some(line.certified_s? / line.elements_s?).filter(|_| line.settled);
     let certified = lines.iter().filter(|line| line.is_certified());
     let values = context! {
         commit => made("commit"),
@@ -48,5 +48,5 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         moment_off => range(lines.iter().filter_map(|line| line.moment_off)).map(|[least, most]| context! { least, most }),
         table => Table::new(header.map(str::to_owned)).rows(rows),
     };
-    Ok(Evidence::new(values))
+    Ok(Evidence::new(values).file("soil-surveys", text))
 }
