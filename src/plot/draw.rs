@@ -172,7 +172,9 @@ fn divisions(
         let half = 0.5 * text_width(text, Type::PLAIN);
         let middle = 0.5 * (from + to);
         if 2.0 * half < (to - from).abs() {
-            canvas.rectangle([middle - half, y - 0.5 * TEXT], [middle + half, y + 0.5 * TEXT], Color::WHITE, 0.8)?;
+            let corners = [[middle - half, y - 0.5 * TEXT], [middle + half, y + 0.5 * TEXT]];
+            canvas.rectangle(corners[0], corners[1], Color::WHITE, 0.8)?;
+            labels.leave(corners[0], corners[1]);
             canvas.text(text, [middle, y], Align::Center, Type::PLAIN)?;
         }
     }

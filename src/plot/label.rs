@@ -70,6 +70,8 @@ pub(super) struct Labels {
     names: Vec<Label>,
     /// Points of lines, which a label had better not cover.
     ink: Vec<Point>,
+    /// Texts that are written where they are.
+    written: Vec<Frame>,
 }
 
 /// Distance of the points that stand for a line when labels are placed.
@@ -98,6 +100,11 @@ impl Labels {
         }
     }
 
+    /// A text that is written between two corners.
+    pub(super) fn leave(&mut self, [left, top]: Point, [right, bottom]: Point) {
+        self.written.push(Frame { left, top, right, bottom, outer: right });
+    }
+
     pub(super) fn avoid(&mut self, points: impl IntoIterator<Item = Point>) {
         self.ink.extend(points);
     }
@@ -114,7 +121,7 @@ impl Labels {
             canvas.text(&name.text, [bounds.right + BESIDE, y], Align::Left, kind)?;
         }
         self.wanted.sort_by_key(|label| label.optional);
-        let mut taken: Vec<Frame> = Vec::new();
+        let mut taken = std::mem::take(&mut self.written);
         for label in &self.wanted {
             let frame = self.place(label, bounds, &taken);
             if label.optional && taken.iter().any(|t| t.meets(&frame)) {
@@ -153,8 +160,9 @@ impl Labels {
         let mut best: Option<(f64, Frame)> = None;
         // A label that may be left out stays close to its point; the others may move away and get a line to it.
         let rings = if label.optional { 2 } else { RINGS.len() };
-        for (ring, &gap) in RINGS[..rings].iter().enumerate() {
-            let (side, over) = (0.5 * width + gap, 0.5 * height + gap);
+        let both = (0..rings).flat_map(|across| (0..rings).map(move |along| [across, along]));
+        for [across, along] in both {
+            let (side, over) = (0.5 * width + RINGS[along], 0.5 * height + RINGS[across]);
             let places = [
                 (0.0, down * over),
                 (side, down * over),
@@ -165,6 +173,7 @@ impl Labels {
                 (side, -down * over),
                 (-side, -down * over),
             ];
+            let ring = across.max(along);
             for (turn, (dx, dy)) in places.into_iter().enumerate() {
                 let x = clamped(label.at[0] + dx, bounds.left + INSET + 0.5 * width, bounds.right - 0.5 * width);
                 let y = clamped(label.at[1] + dy, bounds.top + 0.5 * height, bounds.bottom - 0.5 * height);

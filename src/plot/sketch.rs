@@ -152,9 +152,9 @@ pub(super) fn changes(scene: &Scene, units: &UnitLabels) -> Divisions {
         return Divisions::default();
     }
     let ends = steps.iter().skip(1).map(|step| step[0]).chain([beam.length()]);
-    let unit = units.moment.as_ref().zip(units.length.as_ref()).map(|(moment, length)| format!("{moment}·{length}"));
-    let of =
-        |([from, stiffness], to): (&[f64; 2], f64)| ([*from, to], format!("EI = {}", with_unit(*stiffness, &unit)));
+    let of = |([from, stiffness], to): (&[f64; 2], f64)| {
+        ([*from, to], format!("EI = {}", with_unit(*stiffness, &units.stiffness)))
+    };
     Divisions {
         lines: beam.changes().map(|x| (x, String::new())).collect(),
         between: steps.iter().zip(ends).map(of).collect(),
@@ -203,12 +203,20 @@ pub(super) struct UnitLabels {
     pub(super) force: Option<String>,
     pub(super) pressure: Option<String>,
     pub(super) moment: Option<String>,
+    /// Of a bending stiffness.
+    pub(super) stiffness: Option<String>,
 }
 
 impl UnitLabels {
     pub(super) fn of(units: &Units) -> Self {
         let both = |join: &str| Some(format!("{}{join}{}", units.force.as_ref()?, units.length.as_ref()?));
-        Self { length: units.length.clone(), force: units.force.clone(), pressure: both("/"), moment: both("·") }
+        Self {
+            length: units.length.clone(),
+            force: units.force.clone(),
+            pressure: both("/"),
+            moment: both("·"),
+            stiffness: both("·").map(|moment| moment + "²"),
+        }
     }
 
     /// For axes: a scene without units has the dimension in the place of each unit.

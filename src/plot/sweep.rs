@@ -120,8 +120,7 @@ fn line(i: usize) -> Style {
 
 /// What a number is, in words, and its unit; empty where its path says it.
 fn name(quantity: Quantity, scene: &Scene) -> (&'static str, Option<String>) {
-    let UnitLabels { length, force, pressure, moment } = UnitLabels::of_axes(scene.units());
-    let stiffness = moment.as_ref().zip(length.as_ref()).map(|(moment, length)| format!("{moment}·{length}"));
+    let UnitLabels { length, force, pressure, moment, stiffness } = UnitLabels::of_axes(scene.units());
     match quantity {
         Quantity::Length => ("length of the beam", length),
         Quantity::BendingStiffness | Quantity::StepStiffness(_) => ("bending stiffness", stiffness),
