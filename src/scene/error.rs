@@ -339,8 +339,10 @@ impl SceneError {
     /// What is wrong with a dimensionless scene on a grid, in the units of the scene.
     #[must_use]
     pub(crate) fn in_units_of(mut self, scale: &Scale) -> Self {
-        if let Self::BetweenNodes { at, .. } = &mut self {
-            *at *= scale.length;
+        match &mut self {
+            Self::BetweenNodes { at, .. } => *at *= scale.length,
+            Self::Unstable(of) => *of = of.times(scale.force * scale.length / scale.depth),
+            _ => {}
         }
         self
     }

@@ -46,6 +46,8 @@ pub(super) struct Beam<'a, S> {
     /// How far the ground below each of them sinks, and the deflection of those that nothing holds; empty where it is rigid and there are
     /// none.
     pub(super) sunk: Vec<f64>,
+    /// What an axial force presses each of them down by, and the size of what that is a difference of; empty without one.
+    pub(super) pulled: Vec<[f64; 2]>,
     pub(super) overhangs: [Option<Overhang>; 2],
     /// The nodes of these at which the beam changes, from the root to the tip.
     pub(super) beyond: [Vec<usize>; 2],
@@ -67,7 +69,7 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
     pub(super) fn forces(&self, mut visit: impl FnMut(usize, f64)) {
         let [before, behind] = self.overhangs.map(|overhang| overhang.map_or(0.0, |overhang| overhang.force));
         let mut left = SpanEnd { share: before, ..SpanEnd::default() };
-        for (pair, moments) in self.nodes.windows(2).zip(self.moments.windows(2)) {
+        for (i, (pair, moments)) in self.nodes.windows(2).zip(self.moments.windows(2)).enumerate() {
             if pair[0] == pair[1] {
                 continue;
             }
@@ -77,12 +79,17 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
             let right = SpanEnd { share: span.shares[1], shear, moments: [moments[0], moments[1]], steps: span.steps };
             let load = span.shares[0] + self.discrete.loads[pair[0]];
             if !self.is_free(pair[0]) {
-                visit(pair[0], left.contact_force(&right, load));
+                visit(pair[0], left.contact_force(&right, load, self.pulled_at(i)));
             }
             left = right;
         }
-        let last = self.nodes[self.nodes.len() - 1];
-        visit(last, left.contact_force(&SpanEnd::default(), behind + self.discrete.loads[last]));
+        let end = self.nodes.len() - 1;
+        let last = self.nodes[end];
+        // Under an axial force an end may be free.
+        if !self.is_free(last) {
+            let load = behind + self.discrete.loads[last];
+            visit(last, left.contact_force(&SpanEnd::default(), load, self.pulled_at(end)));
+        }
     }
 
     /// Contact forces on ground so soft that the rounding of the jump of the shear force would change how far it sinks: computed from
@@ -109,7 +116,7 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
 
     /// Whether nothing holds a node of the list.
     #[inline]
-    fn is_free(&self, node: usize) -> bool {
+    pub(super) fn is_free(&self, node: usize) -> bool {
         !self.free.is_empty() && self.free.binary_search(&node).is_ok()
     }
 
@@ -191,8 +198,10 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
             }
         }
         let moves = |node: &usize| range.contains(node) && (self.is_free(*node) || self.is_sprung(*node));
+        let between = self.bent_between();
         for (i, node) in self.nodes.iter().enumerate().filter(|(_, node)| moves(node)) {
-            let bent = self.bent(&self.stretch(i.min(self.nodes.len() - 2)));
+            let bent = between.get(i).copied();
+            let bent = bent.unwrap_or_else(|| self.bent(&self.stretch(i.min(self.nodes.len() - 2))));
             clearance[node - range.start] = self.clearance_of(*node, self.level(i), 0.0, bent);
         }
         for side in 0..2 {
@@ -385,11 +394,11 @@ impl SpanEnd {
     /// and exact; a load, or a share of the loads of a span, that is added to a shear force before would be rounded in the same
     /// way at each of a million nodes.
     #[inline]
-    fn contact_force(&self, next: &Self, load: f64) -> f64 {
+    fn contact_force(&self, next: &Self, load: f64, [pulled, size]: [f64; 2]) -> f64 {
         let carried = self.share + load;
-        let force = (next.shear - self.shear) + carried;
+        let force = ((next.shear - self.shear) + pulled) + carried;
         let bent = |span: &Self| (span.moments[0].abs() + span.moments[1].abs()) / span.steps.max(1.0);
-        let is_rounding = force < 0.0 && -force <= UNITS * f64::EPSILON * (carried.abs() + bent(self) + bent(next));
+        let is_rounding = force < 0.0 && -force <= UNITS * f64::EPSILON * (carried.abs() + size + bent(self) + bent(next));
         if is_rounding { 0.0 } else { force }
     }
 }

@@ -13,6 +13,7 @@
 //! in `contact_set.rs`, on ground that gives in `springs.rs`, without these matrices, so that no method loses digits on fine grids.
 
 mod answer;
+mod axial;
 mod bend;
 mod complementarity;
 pub(crate) mod contact_set;

@@ -26,9 +26,12 @@ use crate::qp::blocks::{self, Block, PENALTY};
 use crate::state::Discretisation;
 
 /// A node: its block, `κ`, and the right-hand sides.
+#[derive(Default)]
 pub(super) struct Row {
     pub(super) block: Block,
-    spring: f64,
+    pub(super) spring: f64,
+    /// Under an axial force `1 − ν ω` of the link behind it.
+    pub(super) fall: f64,
     pub(super) right: [f64; 2],
 }
 
@@ -77,13 +80,13 @@ pub(super) fn solve(
         let [spring, preload] = if turning.is_some() { [0.0; 2] } else { held(discrete, list, node, unit) };
         let block = Block::new(if 0.0 < right.steps { 1.0 / right.steps } else { 0.0 }, w, (b - at_right) / 6.0);
         let block = turning.map_or(block, |[k, _]| block.turning(k / curved / spacing));
-        rows.push(Row { block, spring, right: [-(load - preload + hangs), bent] });
+        rows.push(Row { block, spring, fall: 0.0, right: [-(load - preload + hangs), bent] });
         left = right;
         before = if is_free { before } else { node };
     }
     blocks::factor(&mut rows, |row| row.spring);
     blocks::solve(&mut rows, |row| row.right);
-    turn(&mut rows, &soft)?;
+    turn(&mut rows, &soft, end)?;
     if let Some((index, pivot)) = rows.iter().enumerate().find_map(|(i, row)| Some((i, row.block.failed()?))) {
         return Err(NotPositiveDefinite { index, pivot });
     }
@@ -98,7 +101,7 @@ pub(super) fn solve(
 }
 
 /// `κ` of what holds a node of a list, and its force at the level from which the deflection there counts.
-fn held(discrete: &Discrete, list: &ContactSet, node: usize, unit: f64) -> [f64; 2] {
+pub(super) fn held(discrete: &Discrete, list: &ContactSet, node: usize, unit: f64) -> [f64; 2] {
     if list.is_free(node) {
         return [0.0; 2];
     }

@@ -66,6 +66,15 @@ impl Block {
         (self.step[0] + self.step[1]).is_finite()
     }
 
+    /// How many of the pivots of its row are negative: that of `x` is, and that of `y` is not as long as the beam is stable.
+    pub(crate) fn negative_pivots(&self) -> usize {
+        match 0.0 < self.inverse {
+            true => 1,
+            false if 0.0 < self.turning => 0,
+            false => 2 * usize::from(self.a < 0.0),
+        }
+    }
+
     /// The pivot, if it is no positive number, or if the solution is none.
     pub(crate) fn failed(&self) -> Option<f64> {
         let sound = 0.0 < self.inverse && (self.inverse + self.step[0] + self.step[1]).is_finite();
