@@ -7,7 +7,8 @@ use super::kernel::interval::Interval;
 use super::kernel::polynomial::{Polynomial, number};
 use super::kernel::proof::Piece;
 use crate::scene::Scale;
-use crate::state::Nodes;
+use crate::scene::axial::as_cubic;
+use crate::state::{Discretisation, Nodes};
 
 /// The deflection that is judged.
 #[derive(Debug, Clone, Copy)]
@@ -147,6 +148,7 @@ pub(super) fn cubics<'a>(
         return None;
     }
     let enclosed = *enclosed;
+    let pulled = enclosed.tension != 0.0 && given.discretisation == Discretisation::BeamElements;
     let built_in = move |x: f64| enclosed.support(x).and_then(|support| support.slope);
     let turns = move |x: f64| {
         let held = enclosed.support(x).and_then(|support| support.gives);
@@ -171,6 +173,12 @@ pub(super) fn cubics<'a>(
         };
         let stiffness = enclosed.stiffness_between([a, b]);
         let [mut left, mut right] = [m0, m1].map(|moment| -Interval::exact(moment) / Interval::exact(stiffness));
+        if pulled {
+            // As an element under the axial force turns at its ends.
+            let z = enclosed.tension * (b - a) * (b - a) / stiffness;
+            let [own, other] = as_cubic(z).map(Interval::exact);
+            [left, right] = [own * left + other * right, own * right + other * left];
+        }
         if let Some(slope) = built_in(a) {
             left = turned(slope, right);
         }

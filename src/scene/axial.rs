@@ -48,6 +48,13 @@ pub(crate) fn turns_of_any(z: f64) -> [f64; 3] {
     [(u / libm::tanh(u) - 1.0) / (u * u), (1.0 - fall) / (u * u), fall]
 }
 
+/// The curvatures at the two ends of a cubic that turns there as a part does by moments of `EI` and of zero: one and zero without an axial
+/// force.
+pub(crate) fn as_cubic(z: f64) -> [f64; 2] {
+    let [near, far, _] = turns_of_any(z);
+    [4.0 * near - 2.0 * far, 4.0 * far - 2.0 * near]
+}
+
 /// `EI/ℓ²` times the deflection of a part at the shares `σ` and `ρ = 1 − σ` of its length from its two ends, if a moment of one acts at the
 /// first: how a load there turns that end.
 ///

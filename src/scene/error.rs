@@ -339,9 +339,9 @@ impl SceneError {
     /// What is wrong with a dimensionless scene on a grid, in the units of the scene.
     #[must_use]
     pub(crate) fn in_units_of(mut self, scale: &Scale) -> Self {
-        match &mut self {
-            Self::BetweenNodes { at, .. } => *at *= scale.length,
-            Self::Unstable(of) => *of = of.times(scale.force * scale.length / scale.depth),
+        match self {
+            Self::BetweenNodes { ref mut at, .. } => *at *= scale.length,
+            Self::Unstable(of) => return of.times(scale.force * scale.length / scale.depth).into(),
             _ => {}
         }
         self

@@ -65,6 +65,17 @@ impl Discrete {
         self.tension * self.spacing * self.spacing / self.stiffness
     }
 
+    /// How an interval bends by moments at its near and at its far end, beside one with the least bending stiffness and no axial force.
+    pub(super) fn bent_by(&self, interval: usize) -> [f64; 2] {
+        let e = self.divisions().softness(interval);
+        if self.tension == 0.0 { [e, 0.0] } else { axial::as_cubic(self.pull() * e).map(|share| e * share) }
+    }
+
+    /// The most that an interval bends, in the same measure.
+    pub(super) fn bends_at_most(&self) -> f64 {
+        if self.tension < 0.0 { axial::as_cubic(self.pull()).iter().sum() } else { 1.0 }
+    }
+
     /// Whether a beam that bends in this way between its nodes bears its compression on its supports.
     ///
     /// # Errors
@@ -178,9 +189,10 @@ pub(super) fn solve(
     let unit = discrete.spacing * discrete.spacing * discrete.spacing / discrete.stiffness;
     let line = Polyline::of(discrete, list);
     // Towards a place that is held: a tip has no stiffness but that of the axial force.
-    let meeting = (0..nodes.len()).rev().find(|i| !list.is_free(nodes[*i]));
-    let meeting = meeting.ok_or(NotPositiveDefinite { index: 0, pivot: 0.0 })?;
+    let held = (0..nodes.len()).rev().find(|i| !list.is_free(nodes[*i]));
+    let held = held.ok_or(NotPositiveDefinite { index: 0, pivot: 0.0 })?;
     let Chain { mut rows, links, soft } = chain(discrete, discretisation, list, &line);
+    let meeting = if 0.0 < nu { held } else { blocks::best_meeting(&mut rows, |row| row.spring, |row| row.fall) };
     let right: Vec<f64> = rows.iter().map(|row| row.right[1]).collect();
     blocks::factor_under_tension(&mut rows, meeting, |row| row.spring, |row| row.fall);
     blocks::solve_towards(&mut rows, meeting, |row| row.right);
@@ -262,32 +274,29 @@ fn hang(rows: &mut [Row], discrete: &Discrete, list: &ContactSet, (links, right)
     let (nodes, end) = (list.nodes(), rows.len() - 1);
     let held = |i: &usize| !list.is_free(nodes[*i]);
     let (Some(first), Some(last)) = ((0..=end).find(held), (0..=end).rev().find(held)) else { return };
-    // One place alone: how it turns there is what the axial force says.
-    let holds = first < last;
+    // One place alone: how it turns there is what the axial force says, or what holds it against turning.
+    let alone = nodes[first] == nodes[last];
     for (root, tip) in [(first, 0), (last, end)] {
         let steps = as_float(nodes[root].abs_diff(nodes[tip]));
-        if !holds || steps == 0.0 || SMALL <= discrete.pull().abs() * steps * steps {
+        if first == last || steps == 0.0 || SMALL <= discrete.pull().abs() * steps * steps {
             continue;
         }
+        let inwards = |i: usize| if root < tip { i.wrapping_sub(1) } else { i + 1 };
         let at = |k: usize| if root < tip { root + k } else { root - k };
         let moment = |i: usize| rows[i].block.step[1];
+        let y = |i: usize| rows[i].block.step[0];
         let bent = |i: usize| {
-            let across = |link: &Link, other: usize| link.far * moment(other);
-            let left = if 0 < i { across(&links[i - 1], i - 1) } else { 0.0 };
-            let behind = if i < end { across(&links[i], i + 1) } else { 0.0 };
+            let left = if 0 < i { links[i - 1].far * moment(i - 1) } else { 0.0 };
+            let behind = if i < end { links[i].far * moment(i + 1) } else { 0.0 };
             rows[i].block.w * moment(i) + left + behind + right[i]
         };
-        let y = |i: usize| rows[i].block.step[0];
-        // Both sides of a place that is held against turning.
-        let other = if root < tip { root.wrapping_sub(1) } else { root + 1 };
-        let twice = nodes.get(other) == Some(&nodes[root]);
-        let turns = twice && 0.0 < discrete.supports().turning(nodes[root]).map_or(0.0, |turning| turning[0]);
-        let inner = if twice { if root < tip { other.wrapping_sub(1) } else { other + 1 } } else { other };
-        let has_inner = inner <= end && (!twice || turns);
-        let mut slope = bent(root) + if has_inner { y(root) - y(inner) } else { 0.0 };
-        if turns {
-            slope += bent(other);
-        }
+        let other = inwards(root);
+        let slope = match discrete.supports().turning(nodes[root]) {
+            _ if nodes.get(other) != Some(&nodes[root]) => bent(root) + (y(root) - y(other)),
+            Some([k, _]) if alone => bent(root) + (moment(other) - moment(root)) * (discrete.stiffness / discrete.spacing / k),
+            Some(_) => bent(root) + bent(other) + (y(root) - y(inwards(other))),
+            None => bent(root),
+        };
         let count = root.abs_diff(tip);
         let falls: Vec<f64> = (1..count).map(|k| -bent(at(k))).collect();
         let far: f64 = falls.iter().enumerate().map(|(k, fall)| as_float(count - 1 - k) * fall).sum();

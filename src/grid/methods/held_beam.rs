@@ -25,7 +25,7 @@ use crate::state::{Discretisation, larger_moment};
 pub(super) const UNITS: f64 = 16.0;
 
 /// A negative clearance below this share of the deflection may be rounding, which is then computed.
-const NEAR_ZERO: f64 = 1e-12;
+pub(super) const NEAR_ZERO: f64 = 1e-12;
 
 /// Nodes of a stretch that needs no memory of its own.
 const SHORT: usize = 32;
@@ -92,28 +92,6 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         }
     }
 
-    /// Contact forces on ground so soft that the rounding of the jump of the shear force would change how far it sinks: computed from
-    /// that instead.
-    pub(super) fn pressed(&self, mut visit: impl FnMut(usize, f64)) {
-        if self.sunk.is_empty() {
-            return;
-        }
-        let largest = self.moments.iter().fold(0.0, |most: f64, moment| most.max(moment.abs()));
-        if f64::EPSILON * largest * self.discrete.give_inside() <= NEAR_ZERO * self.discrete.sizes().x {
-            return;
-        }
-        for (i, (&node, sunk)) in self.nodes.iter().zip(&self.sunk).enumerate() {
-            let give = self.discrete.give(node);
-            if give <= 0.0 || self.is_free(node) || self.is_sprung(node) {
-                continue;
-            }
-            let (force, near) = (sunk / give, i.saturating_sub(1)..self.moments.len().min(i + 2));
-            let bent: f64 = self.moments[near].iter().map(|moment| moment.abs()).sum();
-            let is_rounding = -force <= UNITS * f64::EPSILON * (self.discrete.loads[node].abs() + bent);
-            visit(node, if force < 0.0 && is_rounding { 0.0 } else { force });
-        }
-    }
-
     /// Whether nothing holds a node of the list.
     #[inline]
     pub(super) fn is_free(&self, node: usize) -> bool {
@@ -133,7 +111,7 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
     }
 
     /// Whether nothing but a support that gives holds a node.
-    fn is_sprung(&self, node: usize) -> bool {
+    pub(super) fn is_sprung(&self, node: usize) -> bool {
         !self.sprung.is_empty() && self.sprung.binary_search(&node).is_ok()
     }
 

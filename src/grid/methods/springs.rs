@@ -19,6 +19,7 @@
 use super::Discrete;
 use super::contact_set::ContactSet;
 use super::discrete::as_float;
+use super::held_beam::{Beam, NEAR_ZERO, UNITS};
 use super::span::{Span, links};
 use super::turns::{SOFT, turn};
 use crate::qp::NotPositiveDefinite;
@@ -38,6 +39,30 @@ pub(super) struct Row {
 impl AsMut<Block> for Row {
     fn as_mut(&mut self) -> &mut Block {
         &mut self.block
+    }
+}
+
+impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
+    /// Contact forces on ground so soft that the rounding of the jump of the shear force would change how far it sinks: computed from
+    /// that instead.
+    pub(super) fn pressed(&self, mut visit: impl FnMut(usize, f64)) {
+        if self.sunk.is_empty() {
+            return;
+        }
+        let largest = self.moments.iter().fold(0.0, |most: f64, moment| most.max(moment.abs()));
+        if f64::EPSILON * largest * self.discrete.give_inside() <= NEAR_ZERO * self.discrete.sizes().x {
+            return;
+        }
+        for (i, (&node, sunk)) in self.nodes.iter().zip(&self.sunk).enumerate() {
+            let give = self.discrete.give(node);
+            if give <= 0.0 || self.is_free(node) || self.is_sprung(node) {
+                continue;
+            }
+            let (force, near) = (sunk / give, i.saturating_sub(1)..self.moments.len().min(i + 2));
+            let bent: f64 = self.moments[near].iter().map(|moment| moment.abs()).sum();
+            let is_rounding = -force <= UNITS * f64::EPSILON * (self.discrete.loads[node].abs() + bent);
+            visit(node, if force < 0.0 && is_rounding { 0.0 } else { force });
+        }
     }
 }
 
