@@ -339,12 +339,10 @@ impl SceneError {
     /// What is wrong with a dimensionless scene on a grid, in the units of the scene.
     #[must_use]
     pub(crate) fn in_units_of(mut self, scale: &Scale) -> Self {
-        match self {
-            Self::BetweenNodes { ref mut at, .. } => *at *= scale.length,
-            Self::Unstable(of) => return of.times(scale.force * scale.length / scale.depth).into(),
-            _ => {}
+        if let Self::BetweenNodes { at, .. } = &mut self {
+            *at *= scale.length;
         }
-        self
+        if let Self::Unstable(of) = self { of.times(scale.force * scale.length / scale.depth).into() } else { self }
     }
 
     /// The quantity that the error is about, if it is about a single one: a scene file uses it to find the line.

@@ -213,11 +213,12 @@ pub(super) fn solve(
     };
     let sunk = |i: usize| -y[i] * unit + if list.is_free(nodes[i]) { line.levels[i] } else { 0.0 };
     // No zero has a sign.
-    let moment = |(row, node): (&Row, &usize)| {
-        if discrete.divisions().is_hinge(*node) { 0.0 } else { row.block.step[1] + 0.0 }
+    let moment = |i: usize| {
+        let none = i == 0 || i + 1 == rows.len() || discrete.divisions().is_hinge(nodes[i]);
+        if none { 0.0 } else { rows[i].block.step[1] + 0.0 }
     };
     Ok(Pulled {
-        moments: rows.iter().zip(nodes).map(moment).collect(),
+        moments: (0..rows.len()).map(moment).collect(),
         sunk: (0..y.len()).map(sunk).collect(),
         pulled: (0..y.len()).map(pulled).collect(),
     })
@@ -293,7 +294,9 @@ fn hang(rows: &mut [Row], discrete: &Discrete, list: &ContactSet, (links, right)
         let other = inwards(root);
         let slope = match discrete.supports().turning(nodes[root]) {
             _ if nodes.get(other) != Some(&nodes[root]) => bent(root) + (y(root) - y(other)),
-            Some([k, _]) if alone => bent(root) + (moment(other) - moment(root)) * (discrete.stiffness / discrete.spacing / k),
+            Some([k, _]) if alone => {
+                bent(root) + (moment(root) - moment(other)) * (discrete.stiffness / discrete.spacing / k)
+            }
             Some(_) => bent(root) + bent(other) + (y(root) - y(inwards(other))),
             None => bent(root),
         };

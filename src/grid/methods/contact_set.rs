@@ -13,7 +13,7 @@
 //! In dense contact, `a = b = 1`, neighbours drop out, and the difference equation itself is left, `M_i = −(EI/Δ²) bend_i`.
 //!
 //! A beam that changes between contacts, in its stiffness or by joints, is solved with places of any deflection as more nodes, in
-//! `springs.rs`.
+//! `springs.rs`; under an axial force with all nodes, in `axial.rs`.
 //!
 //! Supports are nodes of this list like contacts, at their own levels and with forces of any sign. Two kinds of node have another
 //! equation. Beyond the *outermost* nodes the beam hangs over: its moment there is known from statics, zero at an end. A
@@ -34,13 +34,13 @@
 
 use std::ops::{Range, RangeInclusive};
 
-use super::{Discrete, axial};
 use super::discrete::as_float;
 use super::held_beam::Beam;
 use super::overhang::Overhang;
 use super::span::{Span, links};
 use super::springs;
 use super::supports::{NodeSpring, NodeSupport};
+use super::{Discrete, axial};
 use crate::memory::zeros;
 use crate::qp::{Band, NotPositiveDefinite, Row};
 use crate::state::Discretisation;

@@ -376,7 +376,8 @@ impl SpanEnd {
         let carried = self.share + load;
         let force = ((next.shear - self.shear) + pulled) + carried;
         let bent = |span: &Self| (span.moments[0].abs() + span.moments[1].abs()) / span.steps.max(1.0);
-        let is_rounding = force < 0.0 && -force <= UNITS * f64::EPSILON * (carried.abs() + size + bent(self) + bent(next));
+        let is_rounding =
+            force < 0.0 && -force <= UNITS * f64::EPSILON * (carried.abs() + size + bent(self) + bent(next));
         if is_rounding { 0.0 } else { force }
     }
 }

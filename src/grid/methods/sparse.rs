@@ -285,8 +285,7 @@ pub(super) fn complementary(discrete: &Discrete, discretisation: Discretisation,
     for (node, unit) in strings.iter().enumerate() {
         let ends = [(node, *unit), (node + 1, -unit)];
         equations.push(ends.iter().filter_map(|(node, share)| Some((rows[*node]?, *share))).collect());
-        let held =
-            ends.iter().filter_map(|(node, share)| Some(share * discrete.supports().at(*node)?.held.deflection));
+        let held = ends.iter().filter_map(|(node, share)| Some(share * discrete.supports().at(*node)?.held.deflection));
         linear.push(held.sum::<f64>() / depth);
     }
     equations.extend(discrete.places().filter_map(|place| rows[discrete.node_of(place)]).map(|row| vec![(row, -1.0)]));

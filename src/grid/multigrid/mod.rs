@@ -147,11 +147,7 @@ fn by_newton(
 }
 
 /// The optimum under an axial force. Compression carries a change at one contact over many others: there are no windows.
-fn whole(
-    beam: &LocalBeam<'_>,
-    free: &mut FreeSet,
-    cost: &mut Cost,
-) -> Result<(Stationary, bool), NotPositiveDefinite> {
+fn whole(beam: &LocalBeam<'_>, free: &mut FreeSet, cost: &mut Cost) -> Result<(Stationary, bool), NotPositiveDefinite> {
     let n = free.dimension();
     let (mut solves, mut idle) = (0, 0);
     let end = optimum(&mut all_of(beam, n, cost), free, &mut solves, |_, _| {

@@ -10,7 +10,7 @@ use palkki::{Settings, Solution, solve, solve_exactly};
 use palkki_evidence::random::Feature::{Hinge, Joint, SoilSteps, Spring, Steps, Stop, Tension, Turning};
 use palkki_evidence::random::{Feature, general_on_grid, sample_of};
 
-use super::giving::{COARSE, agree, approach, known, read};
+use super::giving::{agree, approach, known, read};
 use crate::scenes::run;
 
 /// A beam of length 10 and stiffness 30 under this axial force, and more lines of the beam.
@@ -93,7 +93,8 @@ fn drawn(
         }
         let line = text.lines().find(|line| line.starts_with("tension"))?;
         // It says where it buckles.
-        let refused = parse("scene.toml", &text.replace(line, "tension = -1e9"), |_| Err(ReadProblem::Missing)).err()?;
+        let refused =
+            parse("scene.toml", &text.replace(line, "tension = -1e9"), |_| Err(ReadProblem::Missing)).err()?;
         let message = refused.to_string();
         let at: f64 = message.split("buckles at ").nth(1)?.split(' ').next()?.parse().ok()?;
         known(i, &text.replace(line, &format!("tension = {:?}", at * (0.1 + 0.8 * f64::from(i % 7) / 6.0))))
@@ -178,7 +179,10 @@ fn next_to_no_axial_force_is_none_on_a_grid() {
 #[test]
 fn tension_holds_a_beam_against_turning_on_a_grid() {
     for supports in ["{ at = 2.0 }", "{ at = 3.0, pushes_only = true }, { at = 5.0, pushes_only = true }"] {
-        let text = format!("{}[load]\npoint = [{{ at = 7.0, force = 1.0 }}]\n", tied(20.0, &format!("supports = [{supports}]")));
+        let text = format!(
+            "{}[load]\npoint = [{{ at = 7.0, force = 1.0 }}]\n",
+            tied(20.0, &format!("supports = [{supports}]"))
+        );
         let scene = read(&text);
         let exact = solve_exactly(&scene).expect("an answer");
         for method in Method::ALL {

@@ -27,9 +27,7 @@ const GROUPS: [(&str, &[Feature], bool); 4] = [
 
 /// The scenes of a group that beam theory certifies, with its answers.
 fn drawn(of: &'static [Feature], on_soil: bool, cases: u32) -> impl Iterator<Item = (u32, Scene, Solution)> {
-    (0..sample_of(cases)).filter_map(move |i| {
-        known(i, &general_on_grid(u64::from(i), of, on_soil, 60.0).text)
-    })
+    (0..sample_of(cases)).filter_map(move |i| known(i, &general_on_grid(u64::from(i), of, on_soil, 60.0).text))
 }
 
 /// The scene of a number, if beam theory certifies it, with its answer.
