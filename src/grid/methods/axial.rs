@@ -17,7 +17,8 @@ use std::f64::consts::PI;
 
 use super::contact_set::ContactSet;
 use super::discrete::as_float;
-use super::held_beam::Beam;
+use super::held_beam::{Beam, SpanEnd};
+use super::overhang::Overhang;
 use super::span::Span;
 use super::springs::{Row, held};
 use super::statics;
@@ -55,7 +56,8 @@ pub(super) struct Pulled {
     pub(super) moments: Vec<f64>,
     /// How far what holds them sinks, and the deflection of those that nothing holds.
     pub(super) sunk: Vec<f64>,
-    /// What the axial force presses each of them down by, with its slopes beside it, and the size of what that is a difference of.
+    /// What the axial force presses each of those down by that hold the beam, along straight lines from one to the next, and the size of what
+    /// that is a difference of.
     pub(super) pulled: Vec<[f64; 2]>,
 }
 
@@ -93,13 +95,37 @@ impl Discrete {
 }
 
 impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
-    /// What an axial force presses a node of the list down by, which may be there a second time before it, and the size of its parts.
-    #[inline]
-    pub(super) fn pulled_at(&self, i: usize) -> [f64; 2] {
-        let Some(&[force, size]) = self.pulled.get(i) else { return [0.0; 2] };
-        match i.checked_sub(1).filter(|before| self.nodes[*before] == self.nodes[i]) {
-            Some(before) => [force + self.pulled[before][0], size + self.pulled[before][1]],
-            None => [force, size],
+    /// The force at each place that holds the beam, by the balance of the stretches between them: a difference of moments beside a place
+    /// would have an error in proportion to the number of nodes.
+    pub(super) fn forces_under_tension(&self, mut visit: impl FnMut(usize, f64)) {
+        let (loads, end) = (&self.discrete.loads, self.discrete.intervals);
+        let held: Vec<usize> = (0..self.nodes.len()).filter(|i| !self.is_free(self.nodes[*i])).collect();
+        let (Some(&first), Some(&last)) = (held.first(), held.last()) else { return };
+        let hangs = |side: usize, from: usize, to: usize, tip: usize| match from < to {
+            true => Overhang::of(Span::under(&loads[from + 1..to]), side, loads[tip]).force,
+            false => 0.0,
+        };
+        let [before, behind] = [hangs(0, 0, self.nodes[first], 0), hangs(1, self.nodes[last], end, end)];
+        let (mut left, mut pulled) = (SpanEnd { share: before, ..SpanEnd::default() }, [0.0; 2]);
+        for (k, &i) in held.iter().enumerate() {
+            let node = self.nodes[i];
+            (0..2).for_each(|part| pulled[part] += self.pulled[i][part]);
+            let Some(&j) = held.get(k + 1) else {
+                visit(node, left.pulled_force(&SpanEnd::default(), behind + loads[node], pulled));
+                return;
+            };
+            if self.nodes[j] == node {
+                continue;
+            }
+            let span = match self.nodes[j] - node {
+                1 => Span::INTERVAL,
+                _ => Span::under(&loads[node + 1..self.nodes[j]]),
+            };
+            let moments = [self.moments[i], self.moments[j]];
+            let shear = (moments[1] - moments[0]) / span.steps;
+            let right = SpanEnd { share: span.shares[1], shear, moments, steps: span.steps };
+            visit(node, left.pulled_force(&right, span.shares[0] + loads[node], pulled));
+            (left, pulled) = (right, [0.0; 2]);
         }
     }
 
@@ -205,23 +231,23 @@ pub(super) fn solve(
         hang(&mut rows, discrete, list, (&links, &right));
     }
     let y: Vec<f64> = rows.iter().map(|row| if row.spring < PENALTY { row.block.step[0] } else { 0.0 }).collect();
-    let rise = |i: usize| if nodes[i] == nodes[i + 1] { 0.0 } else { y[i + 1] - y[i] };
-    let pulled = |i: usize| {
-        let [left, right] = [if 0 < i { rise(i - 1) } else { 0.0 }, if i + 1 < y.len() { rise(i) } else { 0.0 }];
+    let mut pulled = vec![[0.0; 2]; y.len()];
+    let held: Vec<usize> = (0..y.len()).filter(|i| !list.is_free(nodes[*i])).collect();
+    for (k, &i) in held.iter().enumerate() {
+        let rise =
+            |j: usize| if nodes[i] == nodes[j] { 0.0 } else { (y[j] - y[i]) / as_float(nodes[i].abs_diff(nodes[j])) };
+        let beside = [k.checked_sub(1), Some(k + 1)].map(|k| held.get(k?)).map(|j| j.map_or(0.0, |j| rise(*j)));
         let along = discrete.tension * line.bends[i];
-        [along - nu * (right - left), along.abs() + nu.abs() * (right.abs() + left.abs())]
-    };
+        pulled[i] =
+            [along - nu * (beside[0] + beside[1]), along.abs() + nu.abs() * (beside[0].abs() + beside[1].abs())];
+    }
     let sunk = |i: usize| -y[i] * unit + if list.is_free(nodes[i]) { line.levels[i] } else { 0.0 };
     // No zero has a sign.
     let moment = |i: usize| {
         let none = i == 0 || i + 1 == rows.len() || discrete.divisions().is_hinge(nodes[i]);
         if none { 0.0 } else { rows[i].block.step[1] + 0.0 }
     };
-    Ok(Pulled {
-        moments: (0..rows.len()).map(moment).collect(),
-        sunk: (0..y.len()).map(sunk).collect(),
-        pulled: (0..y.len()).map(pulled).collect(),
-    })
+    Ok(Pulled { moments: (0..rows.len()).map(moment).collect(), sunk: (0..y.len()).map(sunk).collect(), pulled })
 }
 
 fn chain(discrete: &Discrete, discretisation: Discretisation, list: &ContactSet, line: &Polyline) -> Chain {

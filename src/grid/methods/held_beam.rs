@@ -46,7 +46,7 @@ pub(super) struct Beam<'a, S> {
     /// How far the ground below each of them sinks, and the deflection of those that nothing holds; empty where it is rigid and there are
     /// none.
     pub(super) sunk: Vec<f64>,
-    /// What an axial force presses each of them down by, and the size of what that is a difference of; empty without one.
+    /// What an axial force presses those down by that hold it, and the size of what that is a difference of; empty without one.
     pub(super) pulled: Vec<[f64; 2]>,
     pub(super) overhangs: [Option<Overhang>; 2],
     /// The nodes of these at which the beam changes, from the root to the tip.
@@ -67,9 +67,12 @@ pub(super) struct Stretch {
 impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
     /// The force that holds the beam at each of its nodes: the loads that go there, and the jump of the shear force.
     pub(super) fn forces(&self, mut visit: impl FnMut(usize, f64)) {
+        if !self.pulled.is_empty() {
+            return self.forces_under_tension(visit);
+        }
         let [before, behind] = self.overhangs.map(|overhang| overhang.map_or(0.0, |overhang| overhang.force));
         let mut left = SpanEnd { share: before, ..SpanEnd::default() };
-        for (i, (pair, moments)) in self.nodes.windows(2).zip(self.moments.windows(2)).enumerate() {
+        for (pair, moments) in self.nodes.windows(2).zip(self.moments.windows(2)) {
             if pair[0] == pair[1] {
                 continue;
             }
@@ -79,17 +82,12 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
             let right = SpanEnd { share: span.shares[1], shear, moments: [moments[0], moments[1]], steps: span.steps };
             let load = span.shares[0] + self.discrete.loads[pair[0]];
             if !self.is_free(pair[0]) {
-                visit(pair[0], left.contact_force(&right, load, self.pulled_at(i)));
+                visit(pair[0], left.contact_force(&right, load));
             }
             left = right;
         }
-        let end = self.nodes.len() - 1;
-        let last = self.nodes[end];
-        // Under an axial force an end may be free.
-        if !self.is_free(last) {
-            let load = behind + self.discrete.loads[last];
-            visit(last, left.contact_force(&SpanEnd::default(), load, self.pulled_at(end)));
-        }
+        let last = self.nodes[self.nodes.len() - 1];
+        visit(last, left.contact_force(&SpanEnd::default(), behind + self.discrete.loads[last]));
     }
 
     /// Whether nothing holds a node of the list.
@@ -355,13 +353,13 @@ pub(super) fn on_supports(
 
 /// Force and moment of a span at one of its ends.
 #[derive(Default)]
-struct SpanEnd {
+pub(super) struct SpanEnd {
     /// A share of its loads, and a shear force.
-    share: f64,
-    shear: f64,
+    pub(super) share: f64,
+    pub(super) shear: f64,
     /// Moments at its two ends, and its length.
-    moments: [f64; 2],
-    steps: f64,
+    pub(super) moments: [f64; 2],
+    pub(super) steps: f64,
 }
 
 impl SpanEnd {
@@ -372,7 +370,13 @@ impl SpanEnd {
     /// and exact; a load, or a share of the loads of a span, that is added to a shear force before would be rounded in the same
     /// way at each of a million nodes.
     #[inline]
-    fn contact_force(&self, next: &Self, load: f64, [pulled, size]: [f64; 2]) -> f64 {
+    fn contact_force(&self, next: &Self, load: f64) -> f64 {
+        self.pulled_force(next, load, [0.0; 2])
+    }
+
+    /// The same with what an axial force presses the node down by, and the size of what that is a difference of.
+    #[inline]
+    pub(super) fn pulled_force(&self, next: &Self, load: f64, [pulled, size]: [f64; 2]) -> f64 {
         let carried = self.share + load;
         let force = ((next.shear - self.shear) + pulled) + carried;
         let bent = |span: &Self| (span.moments[0].abs() + span.moments[1].abs()) / span.steps.max(1.0);

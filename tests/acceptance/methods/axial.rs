@@ -196,6 +196,22 @@ fn tension_holds_a_beam_against_turning_on_a_grid() {
     }
 }
 
+/// On a hundred times as many intervals residuals are those of rounding: forces are not differences of moments at neighbouring nodes.
+#[test]
+fn fine_grids_under_an_axial_force_lose_no_digits() {
+    for force in [-2.0, 1e-3, 50.0_f64] {
+        for more in ["", "supports = [{ at = 2.0 }, { at = 9.0 }]"] {
+            let force = if more.is_empty() { force } else { force.max(-0.5) };
+            let scene = read(&format!("{}[load]\nuniform = 1.0\n[foundation]\ndepth = 0.1\n", tied(force, more)));
+            for method in Method::ALL {
+                let found = solve(&scene, &Settings::new(method, Solver::ActiveSet, 30_000)).expect("a grid");
+                assert_eq!(found.verdict.status, Status::Certified, "{force}, {method}: {}", found.verdict);
+                assert!(found.residual < 1e-10, "{force}, {method}, {more}: {:e}", found.residual);
+            }
+        }
+    }
+}
+
 /// Links buckle a little before the beam: at `4 (EI/Δ²) sin²(π/2n)`. The message has the number of intervals.
 #[test]
 fn compression_that_a_grid_does_not_bear_is_refused() {
