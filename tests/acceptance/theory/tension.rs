@@ -356,13 +356,3 @@ fn a_sweep_over_the_axial_force() {
     let first = back.events(&rows).swap_remove(0);
     assert!(first.what == "the beam no longer buckles" && (first.value - at).abs() < 1e-11, "{first:?}");
 }
-
-/// Who does not know an axial force refuses it before anything is computed.
-#[test]
-fn others_refuse_an_axial_force() {
-    let scene = scene(&format!("{}[foundation]\ndepth = 1.0\n", tied(1e-3, "")));
-    let exact = theory::solve(&scene).expect("an answer");
-    assert!(exact.derivatives(&scene).is_empty());
-    let soft = scene.on_springs(10.0).expect("positive");
-    assert!(theory::solve(&soft).expect("an answer").derivatives(&soft).is_empty());
-}
