@@ -182,6 +182,7 @@ fn by_route(scene: &Scene, settings: &Settings, start: Start<'_>) -> Result<Solu
     let scaled = scene.scaled()?;
     let discrete = Discrete::new(&scaled.scene, intervals).map_err(|error| error.in_units_of(&scaled.scale))?;
     let discretisation = method.discretisation();
+    discrete.check_compression(discretisation).map_err(|error| error.in_units_of(&scaled.scale))?;
     let (mut nodal, answer, unknowns) = if !scene.has_obstacle() {
         (methods::free_beam(&discrete, discretisation), Answer::empty("no foundation, nothing to solve".to_owned()), 0)
     } else {

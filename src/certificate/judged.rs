@@ -8,8 +8,9 @@ use super::kernel::polynomial::{Polynomial, number};
 use super::kernel::proof::{Pair, Piece};
 use super::kernel::tension::{Hung, MOST_TERMS};
 use super::largest::largest;
+use crate::scene::axial::as_cubic;
 use crate::scene::{Beam, Scale};
-use crate::state::Nodes;
+use crate::state::{Discretisation, Nodes};
 
 /// A part of a deflection: `v(from + s)`.
 type Curve = ([f64; 2], Polynomial);
@@ -191,6 +192,7 @@ pub(super) fn cubics<'a>(
         return None;
     }
     let enclosed = *enclosed;
+    let pulled = enclosed.tension != 0.0 && given.discretisation == Discretisation::BeamElements;
     let built_in = move |x: f64| enclosed.support(x).and_then(|support| support.slope);
     let turns = move |x: f64| {
         let held = enclosed.support(x).and_then(|support| support.gives);
@@ -215,6 +217,12 @@ pub(super) fn cubics<'a>(
         };
         let stiffness = enclosed.stiffness_between([a, b]);
         let [mut left, mut right] = [m0, m1].map(|moment| -Interval::exact(moment) / Interval::exact(stiffness));
+        if pulled {
+            // As an element under the axial force turns at its ends.
+            let z = enclosed.tension * (b - a) * (b - a) / stiffness;
+            let [own, other] = as_cubic(z).map(Interval::exact);
+            [left, right] = [own * left + other * right, own * right + other * left];
+        }
         if let Some(slope) = built_in(a) {
             left = turned(slope, right);
         }

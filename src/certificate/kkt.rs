@@ -5,7 +5,7 @@
 
 mod giving;
 
-use self::giving::{Slope, changes, slopes};
+use self::giving::{Slope, changes, deflections, slopes};
 use super::summed::{BATCH, Summed, Walked};
 use crate::scene::{Grid, Held, Scene, Spring, is_same_place};
 use crate::state::{ContactState, Nodes, Reactions, SupportForce};
@@ -223,7 +223,10 @@ impl<'a> Recorded<'a> {
         let changes = changes(scene, &grid, &slopes)?;
         let hinges = changes.iter().filter(|change| change.is_hinge()).map(|change| change.node).collect();
         let stiffness = scene.beam().bending_stiffness();
-        let summed = Summed::of(forces, changes, grid.spacing(), stiffness, nodes.discretisation);
+        let mut summed = Summed::of(forces, changes, grid.spacing(), stiffness, nodes.discretisation);
+        if scene.beam().tension() != 0.0 {
+            summed = summed.pulled(scene.beam(), &deflections(nodes, &grid, &supports), nodes.discretisation);
+        }
         Some(Self { nodes, grid, first, supports, springs, slopes, hinges, summed, load, contact })
     }
 

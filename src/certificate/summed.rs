@@ -10,8 +10,13 @@
 //! couple that the support exerts. Where its stiffness changes, each side of the node has a half of `c` with its own `EI`; in a joint `θ`
 //! jumps by `−M/k`, and in a hinge by what is given. No system is solved: the force and the moment behind the right end are left over, and deflections
 //! start at a given level and slope.
+//!
+//! Under an axial force `N` the sums of forces are `M + N v`, of which `N` times a deflection that is given is taken; an exact beam then has
+//! `c_i = s₂ M_{i−1} + 2 s₁ M_i + s₂ M_{i+1}` with `z = N Δ²/EI` (`scene::axial`).
 
 use super::double_sum::DoubleSum;
+use crate::scene::Beam;
+use crate::scene::axial::turns_of_any;
 use crate::state::Discretisation;
 
 /// Nodes of a step of a walk: few enough for the nearest cache.
@@ -55,6 +60,8 @@ pub(super) struct Summed {
     step: f64,
     /// Shares of the moments `M/Δ` at a node and at one beside it in what the slope changes by on one side of the node.
     shares: [f64; 2],
+    /// `N Δ²/EI` of a beam between the nodes of which that counts.
+    pull: f64,
     /// `M_i/Δ` to the left of all nodes \[force\].
     moments: Vec<f64>,
     changes: Vec<Change>,
@@ -86,12 +93,35 @@ impl Summed {
         }
         sums.along(&mut forces[next..]);
         let left_over = [sums.slope(), sums.height() * step];
-        Self { step, shares, moments: forces, changes, left_over }
+        Self { step, shares, pull: 0.0, moments: forces, changes, left_over }
+    }
+
+    /// The same under an axial force, with the deflections at all nodes.
+    pub(super) fn pulled(self, beam: &Beam, deflections: &[f64], discretisation: Discretisation) -> Self {
+        let (tension, stiffness) = (beam.tension(), beam.bending_stiffness());
+        let Self { step, mut moments, left_over: [shear, remaining], .. } = self;
+        let lowered = |v: f64| tension * (v - deflections[0]);
+        moments.iter_mut().zip(deflections).for_each(|(moment, v)| *moment -= lowered(*v) / step);
+        let left_over = [shear, remaining - deflections.last().map_or(0.0, |v| lowered(*v))];
+        let pull = match discretisation {
+            Discretisation::FiniteDifferences => 0.0,
+            Discretisation::BeamElements => tension * step * step / stiffness,
+        };
+        Self { moments, left_over, pull, ..self }
+    }
+
+    /// The shares on a part of the beam that is so soft.
+    fn shares_of(&self, soft: f64) -> [f64; 2] {
+        if self.pull == 0.0 {
+            return self.shares;
+        }
+        let [near, far, _] = turns_of_any(self.pull * soft);
+        [3.0 * self.shares[0] * near, 6.0 * self.shares[1] * far]
     }
 
     /// By how much the slope changes between a node and the interval beside it.
-    fn turn(&self, own: f64, beside: f64) -> f64 {
-        self.shares[0] * own + self.shares[1] * beside
+    fn turn([near, far]: [f64; 2], own: f64, beside: f64) -> f64 {
+        near * own + far * beside
     }
 
     /// Along the whole beam, some nodes at a time, with a given deflection at the left end, a slope in the first interval, and what the slope
@@ -105,21 +135,22 @@ impl Summed {
     ) -> Vec<f64> {
         let Self { step, moments, changes, .. } = self;
         let last = moments.len() - 1;
-        let [own, beside] = [2.0 * self.shares[0] * step, self.shares[1] * step];
         let at = |node: usize| changes.iter().find(|change| change.node == node).copied().unwrap_or_default();
         let jump = |change: &Change| change.couple.map_or(0.0, |couple| couple / step);
         let mut sums = DoubleSum::from(deflection, slope * step);
         let (mut tangents, mut kinks) = (Vec::with_capacity(changes.len()), kinks.iter());
         let first = at(0);
         let (mut right, mut soft) = (moments[0] + jump(&first), first.soft.unwrap_or(1.0));
+        let mut shares = self.shares_of(soft);
         if first.couple.is_some() {
-            tangents.push(slope + soft * self.turn(right, moments[1]));
+            tangents.push(slope + soft * Self::turn(shares, right, moments[1]));
         }
         visit(Walked { first: 0, moments: &moments[..1], jump: jump(&first), deflections: &[deflection] });
         let (mut from, mut falls) = (0, [0.0; BATCH]);
         for to in changes.iter().map(|change| change.node).filter(|node| (1..last).contains(node)).chain([last]) {
             let mut before = right;
             let mut first = from + 1;
+            let [own, beside] = [2.0 * shares[0] * step, shares[1] * step];
             for batch in moments[first..to].chunks(BATCH) {
                 let after = moments[first + 1..].iter();
                 let falls = &mut falls[..batch.len()];
@@ -133,9 +164,10 @@ impl Summed {
             }
             // A change or the end: one side at a time.
             let (left, change) = (moments[to], at(to));
-            let before = soft * self.turn(left, before);
+            let before = soft * Self::turn(shares, left, before);
             soft = change.soft.unwrap_or(soft);
-            let behind = if to < last { soft * self.turn(left + jump(&change), moments[to + 1]) } else { 0.0 };
+            shares = self.shares_of(soft);
+            let behind = if to < last { soft * Self::turn(shares, left + jump(&change), moments[to + 1]) } else { 0.0 };
             if change.couple.is_some() {
                 tangents.push(sums.slope() / step - before);
             }

@@ -33,6 +33,28 @@ pub(crate) fn turns(z: f64) -> [f64; 3] {
     [near / sine, far / sine, 1.0 / sine]
 }
 
+/// The same of a part of any length: beyond [`LONGEST`] by the functions, from which no digit is taken there.
+pub(crate) fn turns_of_any(z: f64) -> [f64; 3] {
+    if z.abs() <= LONGEST * LONGEST {
+        return turns(z);
+    }
+    let u = z.abs().sqrt();
+    if z < 0.0 {
+        let sine = libm::sin(u);
+        return [(1.0 - u * libm::cos(u) / sine) / (u * u), (u / sine - 1.0) / (u * u), u / sine];
+    }
+    // Of a long part nothing reaches the other end.
+    let fall = u / libm::sinh(u);
+    [(u / libm::tanh(u) - 1.0) / (u * u), (1.0 - fall) / (u * u), fall]
+}
+
+/// The curvatures at the two ends of a cubic that turns there as a part does by moments of `EI` and of zero: one and zero without an axial
+/// force.
+pub(crate) fn as_cubic(z: f64) -> [f64; 2] {
+    let [near, far, _] = turns_of_any(z);
+    [4.0 * near - 2.0 * far, 4.0 * far - 2.0 * near]
+}
+
 /// `EI/ℓ²` times the deflection of a part at the shares `σ` and `ρ = 1 − σ` of its length from its two ends, if a moment of one acts at the
 /// first: how a load there turns that end.
 ///
@@ -76,14 +98,23 @@ pub enum Unstable {
         /// At which it buckles \[force\].
         at: f64,
     },
+    /// It bears its compression, and on a grid that is too coarse it does not.
+    #[error("`beam.tension` is {}: on {intervals} intervals the beam buckles before; more intervals are needed", shown(*tension))]
+    OnGrid {
+        /// The axial force \[force\].
+        tension: f64,
+        /// The number of intervals.
+        intervals: usize,
+    },
 }
 
 impl Unstable {
     /// With another unit of force.
-    pub(super) fn times(self, unit: f64) -> Self {
+    pub(crate) fn times(self, unit: f64) -> Self {
         match self {
             Self::Unheld { tension } => Self::Unheld { tension: tension * unit },
             Self::Buckles { tension, at } => Self::Buckles { tension: tension * unit, at: at * unit },
+            Self::OnGrid { tension, intervals } => Self::OnGrid { tension: tension * unit, intervals },
         }
     }
 }

@@ -342,7 +342,7 @@ impl SceneError {
         if let Self::BetweenNodes { at, .. } = &mut self {
             *at *= scale.length;
         }
-        self
+        if let Self::Unstable(of) = self { of.times(scale.force * scale.length / scale.depth).into() } else { self }
     }
 
     /// The quantity that the error is about, if it is about a single one: a scene file uses it to find the line.

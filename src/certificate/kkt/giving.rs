@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::{Recorded, RecordedSupport, largest, largest_each};
 use crate::certificate::summed::Change;
 use crate::scene::{Grid, Scene, Spring};
-use crate::state::SupportForce;
+use crate::state::{Nodes, SupportForce};
 
 /// The slope that a support holds, stiffly or by a spring of a stiffness, with the couple that it exerts in the state.
 #[derive(Debug, Clone, Copy)]
@@ -88,4 +88,14 @@ pub(super) fn changes(scene: &Scene, grid: &Grid, slopes: &[Slope]) -> Option<Ve
 fn smaller_share(as_length: f64, as_force: f64) -> f64 {
     let [length, force] = [as_length, as_force].map(f64::abs);
     if length.is_nan() || length < force { length } else { force }
+}
+
+/// The deflections of a state at all nodes of its grid.
+pub(super) fn deflections(nodes: &Nodes, grid: &Grid, supports: &[RecordedSupport]) -> Vec<f64> {
+    let end = |node: usize| {
+        let support = supports.iter().find(|support| support.node == node);
+        support.map(|support| support.held.deflection)
+    };
+    let inner = nodes.deflection.iter().copied();
+    end(0).into_iter().chain(inner).chain(end(grid.intervals())).collect()
 }

@@ -248,8 +248,8 @@ fn extremes_by_parts(
             ends: [from.0, to].map(&deflection_at),
         };
         let m = Values { inner: &moments[inner], ends: [from.1, before] };
-        let softness = |interval: usize| discrete.divisions().softness(from.0 + interval);
-        let part = extremes(nodal.discretisation, v, m, spacing, (stiffness, softness));
+        let bent_by = |interval: usize| discrete.bent_by(from.0 + interval);
+        let part = extremes(nodal.discretisation, v, m, spacing, (stiffness, discrete.bends_at_most(), bent_by));
         let part = part.map(|part| shifted(part, from.0));
         found = Some(found.map_or(part, |found| {
             let both = |a: Extremes, b: Extremes| a.beyond(b.max_at, b.max).beyond(b.min_at, b.min);

@@ -13,7 +13,7 @@
 //! In dense contact, `a = b = 1`, neighbours drop out, and the difference equation itself is left, `M_i = −(EI/Δ²) bend_i`.
 //!
 //! A beam that changes between contacts, in its stiffness or by joints, is solved with places of any deflection as more nodes, in
-//! `springs.rs`.
+//! `springs.rs`; under an axial force with all nodes, in `axial.rs`.
 //!
 //! Supports are nodes of this list like contacts, at their own levels and with forces of any sign. Two kinds of node have another
 //! equation. Beyond the *outermost* nodes the beam hangs over: its moment there is known from statics, zero at an end. A
@@ -34,13 +34,13 @@
 
 use std::ops::{Range, RangeInclusive};
 
-use super::Discrete;
 use super::discrete::as_float;
 use super::held_beam::Beam;
 use super::overhang::Overhang;
 use super::span::{Span, links};
 use super::springs;
 use super::supports::{NodeSpring, NodeSupport};
+use super::{Discrete, axial};
 use crate::memory::zeros;
 use crate::qp::{Band, NotPositiveDefinite, Row};
 use crate::state::Discretisation;
@@ -116,8 +116,10 @@ impl ContactSet {
         let sprung: Vec<usize> = alone.map(|spring| spring.node).collect();
         let twice = springs.iter().filter(|spring| spring.turning.is_some()).map(|spring| spring.node);
         let nodes = merged(merged(nodes, &sprung), &twice.collect::<Vec<_>>());
-        let changes = discrete.divisions().nodes().iter().copied().filter(|node| part.contains(node));
-        let free: Vec<usize> = changes.filter(|node| nodes.binary_search(node).is_err()).collect();
+        // Under an axial force a span is no simple beam: all nodes are in the list.
+        let all = if discrete.tension == 0.0 { 0..0 } else { *part.start()..*part.end() + 1 };
+        let changes = discrete.divisions().nodes().iter().copied().filter(|node| all.is_empty() && part.contains(node));
+        let free: Vec<usize> = changes.chain(all.clone()).filter(|node| nodes.binary_search(node).is_err()).collect();
         Self { nodes: merged(nodes, &free), free, springs, sprung, overhangs }
     }
 
@@ -173,7 +175,8 @@ impl ContactSet {
         discretisation: Discretisation,
         span: impl Fn(usize, usize) -> Span,
     ) -> Result<Beam<'a, impl Fn(usize, usize) -> Span>, NotPositiveDefinite> {
-        let beyond = self.take_beyond();
+        let is_pulled = discrete.tension != 0.0;
+        let beyond = if is_pulled { Default::default() } else { self.take_beyond() };
         let (Some(&first), Some(&last)) = (self.nodes.first(), self.nodes.last().filter(|_| 1 < self.nodes.len()))
         else {
             return Err(NotPositiveDefinite { index: 0, pivot: 0.0 });
@@ -187,12 +190,18 @@ impl ContactSet {
             span.softened(discrete.divisions().softness(first))
         };
         let end = discrete.intervals;
-        let left = (self.overhangs[0] && 0 < first).then(|| Overhang::of(span(0, first), 0, discrete.loads[0]));
-        let right = (self.overhangs[1] && last < end).then(|| Overhang::of(span(last, end), 1, discrete.loads[end]));
+        let hangs = self.overhangs.map(|hangs| hangs && !is_pulled);
+        let left = (hangs[0] && 0 < first).then(|| Overhang::of(span(0, first), 0, discrete.loads[0]));
+        let right = (hangs[1] && last < end).then(|| Overhang::of(span(last, end), 1, discrete.loads[end]));
         let overhangs = [left, right];
         let outermost = overhangs.map(|overhang| overhang.map_or(0.0, |overhang| overhang.moment));
         let changes = !discrete.divisions().nodes().is_empty() || discrete.supports().give();
-        let [moments, sunk] = if discrete.gives() || changes {
+        let mut pulled = Vec::new();
+        let [moments, sunk] = if is_pulled {
+            let found = axial::solve(discrete, discretisation, &self)?;
+            pulled = found.pulled;
+            [found.moments, found.sunk]
+        } else if discrete.gives() || changes {
             let forces = overhangs.map(|overhang| overhang.map_or(0.0, |overhang| overhang.force));
             let left = [0, 1].map(|side| [outermost[side], forces[side]]);
             springs::solve(discrete, discretisation, &self, &span, left)?
@@ -209,6 +218,7 @@ impl ContactSet {
             sprung: self.sprung,
             moments,
             sunk,
+            pulled,
             overhangs,
             beyond,
         })

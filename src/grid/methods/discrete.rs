@@ -28,6 +28,8 @@ pub struct Discrete {
     pub spacing: f64,
     /// Bending stiffness `EI`, the least one of a beam in steps.
     pub stiffness: f64,
+    /// Axial force `N`, tension positive.
+    pub tension: f64,
     /// Loads on all nodes, `q_0 … q_{n+1}`, supports included: forces, not densities.
     pub loads: Vec<f64>,
     /// Gaps `g` below the undeflected beam, of a straight one the depths `u`, at [all nodes but supported ends](Self::nodes).
@@ -80,7 +82,6 @@ impl Discrete {
     }
 
     fn unmeasured(scene: &Scene, intervals: usize, coarse: bool) -> Result<Self, SceneError> {
-        scene.has_no_tension("a method on a grid")?;
         let grid = Grid::uniform(scene, intervals)?;
         let supports = Supports::on(&grid, scene)?;
         let mut depths = grid.gaps_at(scene, supports.nodes());
@@ -91,6 +92,7 @@ impl Discrete {
             intervals,
             spacing: grid.spacing(),
             stiffness: scene.beam().bending_stiffness(),
+            tension: scene.beam().tension(),
             depths,
             touching,
             supports,
@@ -168,8 +170,11 @@ impl Discrete {
     }
 
     /// Nodes that have to hold the beam besides some others so that no part between two hinges moves, as [`Divisions::unheld`] has it.
+    ///
+    /// Tension holds these parts, and the beam with any one of them.
     pub(super) fn missing(&self, held: &[(usize, usize)]) -> Vec<usize> {
-        if self.divisions.has_hinges() { self.divisions.unheld(held, self.intervals) } else { Vec::new() }
+        let may_move = self.divisions.has_hinges() && self.tension <= 0.0;
+        if may_move { self.divisions.unheld(held, self.intervals) } else { Vec::new() }
     }
 
     /// Steps of the bending stiffness and joints.
@@ -207,7 +212,8 @@ impl Discrete {
 
     /// See [`sizes`](Self::sizes).
     fn measured(&self) -> Sizes {
-        let basic = self.basic(self.loads.clone());
+        let supports = self.supports.slack();
+        let basic = Self { supports, ..self.clone() }.basic(self.loads.clone());
         // Above ground at zero, a clearance is a deflection upwards.
         let free = held_beam::on_supports(&basic, Discretisation::BeamElements).map(|beam| beam.clearance());
         let free = free.unwrap_or_default();
@@ -262,8 +268,10 @@ impl Discrete {
     /// structure for forces in balance.
     pub(super) fn basic(&self, loads: Vec<f64>) -> Self {
         let missing = self.missing(&self.supports.holds());
-        let supports =
-            if self.divisions.has_hinges() { self.supports.and_at(&missing) } else { self.supports.completed() };
+        let supports = match self.divisions.has_hinges() && self.tension <= 0.0 {
+            true => self.supports.and_at(&missing),
+            false => self.supports.completed(),
+        };
         Self { ground: Arc::new([]), ..self.on(supports, loads) }
     }
 

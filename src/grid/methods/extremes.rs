@@ -21,19 +21,20 @@ impl Values<'_> {
 }
 
 /// Extremes of deflection and moment from values at nodes; places are counted in intervals from the left end of the values. `stiffness` is
-/// the least one, and `softness` how soft an interval is beside one with that.
+/// the least one, and `bent_by` how an interval bends by
+/// moments at its near and far end, beside one with that, at `most` so much.
 pub(super) fn extremes(
     discretisation: Discretisation,
     deflection: Values<'_>,
     moments: Values<'_>,
     spacing: f64,
-    (stiffness, softness): (f64, impl Fn(usize) -> f64),
+    (stiffness, most, bent_by): (f64, f64, impl Fn(usize) -> [f64; 2]),
 ) -> [Extremes; 2] {
     let seen = nodal_extremes(deflection);
     let found = match discretisation {
         Discretisation::FiniteDifferences => seen,
         Discretisation::BeamElements => {
-            cubic_extremes(deflection, moments, (spacing * spacing / (6.0 * stiffness), softness), seen)
+            cubic_extremes(deflection, moments, (spacing * spacing / (6.0 * stiffness), most, bent_by), seen)
         }
     };
     [found, nodal_extremes(moments)]
@@ -92,11 +93,12 @@ fn wider([max, min]: [f64; 2], [above, below]: [f64; 2]) -> [f64; 2] {
 fn cubic_extremes(
     deflection: Values<'_>,
     moments: Values<'_>,
-    (unit, softness): (f64, impl Fn(usize) -> f64),
+    (unit, most, bent_by): (f64, f64, impl Fn(usize) -> [f64; 2]),
     seen: Extremes,
 ) -> Extremes {
+    let reach = 0.75 * (unit * most);
     let beyond = |[highest, lowest]: [f64; 2], [most, least]: [f64; 2]| {
-        let reach = 0.75 * unit * most.abs().max(least.abs());
+        let reach = reach * most.abs().max(least.abs());
         seen.max < highest + reach || lowest - reach < seen.min
     };
     let intervals = deflection.inner.len() + 1;
@@ -117,8 +119,9 @@ fn cubic_extremes(
             let right = [deflection, moments].map(|values| values.at(k + 1));
             let [v, m] = [[left[0], right[0]], [left[1], right[1]]];
             if beyond([v[0].max(v[1]), v[0].min(v[1])], m) {
-                let own = unit * softness(k);
-                found = stationary(v, m.map(|m| own * m)).fold(found, |found, [s, v]| found.beyond(number(k) + s, v));
+                let [own, other] = bent_by(k).map(|share| unit * share);
+                let m = [own * m[0] + other * m[1], own * m[1] + other * m[0]];
+                found = stationary(v, m).fold(found, |found, [s, v]| found.beyond(number(k) + s, v));
             }
             left = right;
         }

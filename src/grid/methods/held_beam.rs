@@ -25,7 +25,7 @@ use crate::state::{Discretisation, larger_moment};
 pub(super) const UNITS: f64 = 16.0;
 
 /// A negative clearance below this share of the deflection may be rounding, which is then computed.
-const NEAR_ZERO: f64 = 1e-12;
+pub(super) const NEAR_ZERO: f64 = 1e-12;
 
 /// Nodes of a stretch that needs no memory of its own.
 const SHORT: usize = 32;
@@ -46,6 +46,8 @@ pub(super) struct Beam<'a, S> {
     /// How far the ground below each of them sinks, and the deflection of those that nothing holds; empty where it is rigid and there are
     /// none.
     pub(super) sunk: Vec<f64>,
+    /// What an axial force presses those down by that hold it, and the size of what that is a difference of; empty without one.
+    pub(super) pulled: Vec<[f64; 2]>,
     pub(super) overhangs: [Option<Overhang>; 2],
     /// The nodes of these at which the beam changes, from the root to the tip.
     pub(super) beyond: [Vec<usize>; 2],
@@ -65,6 +67,9 @@ pub(super) struct Stretch {
 impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
     /// The force that holds the beam at each of its nodes: the loads that go there, and the jump of the shear force.
     pub(super) fn forces(&self, mut visit: impl FnMut(usize, f64)) {
+        if !self.pulled.is_empty() {
+            return self.forces_under_tension(visit);
+        }
         let [before, behind] = self.overhangs.map(|overhang| overhang.map_or(0.0, |overhang| overhang.force));
         let mut left = SpanEnd { share: before, ..SpanEnd::default() };
         for (pair, moments) in self.nodes.windows(2).zip(self.moments.windows(2)) {
@@ -85,31 +90,9 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         visit(last, left.contact_force(&SpanEnd::default(), behind + self.discrete.loads[last]));
     }
 
-    /// Contact forces on ground so soft that the rounding of the jump of the shear force would change how far it sinks: computed from
-    /// that instead.
-    pub(super) fn pressed(&self, mut visit: impl FnMut(usize, f64)) {
-        if self.sunk.is_empty() {
-            return;
-        }
-        let largest = self.moments.iter().fold(0.0, |most: f64, moment| most.max(moment.abs()));
-        if f64::EPSILON * largest * self.discrete.give_inside() <= NEAR_ZERO * self.discrete.sizes().x {
-            return;
-        }
-        for (i, (&node, sunk)) in self.nodes.iter().zip(&self.sunk).enumerate() {
-            let give = self.discrete.give(node);
-            if give <= 0.0 || self.is_free(node) || self.is_sprung(node) {
-                continue;
-            }
-            let (force, near) = (sunk / give, i.saturating_sub(1)..self.moments.len().min(i + 2));
-            let bent: f64 = self.moments[near].iter().map(|moment| moment.abs()).sum();
-            let is_rounding = -force <= UNITS * f64::EPSILON * (self.discrete.loads[node].abs() + bent);
-            visit(node, if force < 0.0 && is_rounding { 0.0 } else { force });
-        }
-    }
-
     /// Whether nothing holds a node of the list.
     #[inline]
-    fn is_free(&self, node: usize) -> bool {
+    pub(super) fn is_free(&self, node: usize) -> bool {
         !self.free.is_empty() && self.free.binary_search(&node).is_ok()
     }
 
@@ -126,7 +109,7 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
     }
 
     /// Whether nothing but a support that gives holds a node.
-    fn is_sprung(&self, node: usize) -> bool {
+    pub(super) fn is_sprung(&self, node: usize) -> bool {
         !self.sprung.is_empty() && self.sprung.binary_search(&node).is_ok()
     }
 
@@ -191,8 +174,10 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
             }
         }
         let moves = |node: &usize| range.contains(node) && (self.is_free(*node) || self.is_sprung(*node));
+        let between = self.bent_between();
         for (i, node) in self.nodes.iter().enumerate().filter(|(_, node)| moves(node)) {
-            let bent = self.bent(&self.stretch(i.min(self.nodes.len() - 2)));
+            let bent = between.get(i).copied();
+            let bent = bent.unwrap_or_else(|| self.bent(&self.stretch(i.min(self.nodes.len() - 2))));
             clearance[node - range.start] = self.clearance_of(*node, self.level(i), 0.0, bent);
         }
         for side in 0..2 {
@@ -368,13 +353,13 @@ pub(super) fn on_supports(
 
 /// Force and moment of a span at one of its ends.
 #[derive(Default)]
-struct SpanEnd {
+pub(super) struct SpanEnd {
     /// A share of its loads, and a shear force.
-    share: f64,
-    shear: f64,
+    pub(super) share: f64,
+    pub(super) shear: f64,
     /// Moments at its two ends, and its length.
-    moments: [f64; 2],
-    steps: f64,
+    pub(super) moments: [f64; 2],
+    pub(super) steps: f64,
 }
 
 impl SpanEnd {
@@ -386,10 +371,17 @@ impl SpanEnd {
     /// way at each of a million nodes.
     #[inline]
     fn contact_force(&self, next: &Self, load: f64) -> f64 {
+        self.pulled_force(next, load, [0.0; 2])
+    }
+
+    /// The same with what an axial force presses the node down by, and the size of what that is a difference of.
+    #[inline]
+    pub(super) fn pulled_force(&self, next: &Self, load: f64, [pulled, size]: [f64; 2]) -> f64 {
         let carried = self.share + load;
-        let force = (next.shear - self.shear) + carried;
+        let force = ((next.shear - self.shear) + pulled) + carried;
         let bent = |span: &Self| (span.moments[0].abs() + span.moments[1].abs()) / span.steps.max(1.0);
-        let is_rounding = force < 0.0 && -force <= UNITS * f64::EPSILON * (carried.abs() + bent(self) + bent(next));
+        let is_rounding =
+            force < 0.0 && -force <= UNITS * f64::EPSILON * (carried.abs() + size + bent(self) + bent(next));
         if is_rounding { 0.0 } else { force }
     }
 }

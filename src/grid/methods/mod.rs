@@ -10,9 +10,10 @@
 //! The table is that of the paper's beam; with an own shape or supports at other levels the gap `g` takes the place of `u`.
 //!
 //! On a given set of contacts all three are one beam, or one chain of links, on supports at the level of the ground. It is solved
-//! in `contact_set.rs`, on ground that gives in `springs.rs`, without these matrices, so that no method loses digits on fine grids.
+//! in `contact_set.rs`, on ground that gives in `springs.rs` and under an axial force in `axial.rs`, without these matrices, so that no method loses digits on fine grids.
 
 mod answer;
+mod axial;
 mod bend;
 mod complementarity;
 pub(crate) mod contact_set;

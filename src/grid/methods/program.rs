@@ -73,11 +73,13 @@ impl Qp for Program<'_> {
     }
 
     fn sparse(&self) -> Option<SparseForm> {
-        // Of a few places in clearances the matrix is the better form: nothing has to be eliminated.
-        if self.discrete.has_open_nodes() && !self.discrete.gives() && !self.method.is_free_in_contact() {
+        let in_contact = self.method.is_free_in_contact();
+        // Of a few places in clearances the matrix is the better form: nothing has to be eliminated. Compression makes the other one not convex.
+        let few = self.discrete.has_open_nodes() && !self.discrete.gives() && !in_contact;
+        if few || self.discrete.tension < 0.0 {
             return Some(SparseForm::of_matrix(self));
         }
-        let form = if self.method.is_free_in_contact() { sparse::complementary } else { sparse::potential };
+        let form = if in_contact { sparse::complementary } else { sparse::potential };
         Some(form(self.discrete, self.method.discretisation(), self.sizes()))
     }
 

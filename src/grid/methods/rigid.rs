@@ -245,8 +245,9 @@ pub(crate) fn balanced(
 /// above which their resultant is, or the only contact that was found.
 #[must_use]
 pub(crate) fn single_contact(discrete: &Discrete, balance: &Balance, nodal: &Nodal) -> Option<usize> {
-    // A support that gives holds the beam together with any contact.
-    let is_held = *balance == Balance::Held || !discrete.supports().springs().is_empty();
+    // A support that gives holds the beam together with any contact, and so does tension.
+    let gives = !discrete.supports().springs().is_empty();
+    let is_held = *balance == Balance::Held || gives || discrete.tension != 0.0;
     if is_held || nodal.contact_force.iter().any(|p| p.is_nan()) {
         return None;
     }

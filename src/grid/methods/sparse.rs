@@ -19,6 +19,13 @@
 //! R                         a force in the equilibrium of its node                         energy ½ R²/k + d R
 //! ```
 //!
+//! Under tension `N` clearances have the energy of a string besides, and the force of the string across each interval is a variable of the
+//! complementary energy; under compression neither is convex, and the matrix takes the place of the form:
+//!
+//! ```text
+//! ½ (N/Δ) Σ (h_{i+1} − h_i)² + Σ N bend_i h_i        ½ (Δ/N) Σ T²,  in equilibrium T_i − T_{i−1}
+//! ```
+//!
 //! Moments are variables at the nodes where the beam can bend, forces and clearances at those without a support. A support that holds
 //! the slope has a moment on each of its sides, each with half a cell; where a spring holds it the jump has the energy `½ (ΔM)²/k`.
 //!
@@ -33,6 +40,10 @@
 //!
 //! With other choices the libraries do not converge on 30 000 intervals, or on 3000.
 
+mod string;
+
+use self::string::{PulledClearances, pulled_down, string_forces};
+use super::axial::Link;
 use super::supports::NodeSpring;
 use super::{Discrete, Method};
 use crate::qp::{Sizes, SparseForm, UpperColumns};
@@ -105,12 +116,18 @@ pub fn unsigned(discrete: &Discrete, method: Method) -> Vec<(String, f64)> {
         ),
         false => (format!("force of the support at x = {:?}", spring.at), force * spring_force(spring, depth, force)),
     };
+    let strings = if clearances { Vec::new() } else { string_forces(discrete, [depth, force]) };
+    let along = |(node, unit): (usize, &f64)| {
+        let places = [node, node + 1].map(|node| discrete.grid.place(node));
+        (format!("vertical part of the tension between x = {:?} and x = {:?}", places[0], places[1]), force * unit)
+    };
     let [springs, stops] = [discrete.supports().springs(), discrete.supports().stops()];
     let supports = springs.iter().chain(if clearances { stops } else { &[] });
     let open = discrete.free_nodes().filter(|node| clearances && discrete.is_open_at(*node));
     let clear = |node| (format!("clearance at x = {:?}", discrete.grid.place(node)), depth);
     let pressed = ground.into_iter().map(pressed);
-    Hinge::all(discrete).iter().map(name).chain(pressed).chain(supports.map(stands)).chain(open.map(clear)).collect()
+    let all = Hinge::all(discrete).iter().map(name).chain(pressed).chain(supports.map(stands)).collect::<Vec<_>>();
+    all.into_iter().chain(strings.iter().enumerate().map(along)).chain(open.map(clear)).collect()
 }
 
 /// The units of the variables, as found above.
@@ -200,13 +217,16 @@ pub(super) fn potential(discrete: &Discrete, discretisation: Discretisation, siz
     };
     let columns = discrete.free_nodes().map(|node| (node, column(node)));
     let (columns, open): (Vec<_>, Vec<_>) = columns.partition(|(node, _)| !discrete.is_open_at(*node));
+    let mut string = PulledClearances::of(discrete);
+    let load = |node: usize| discrete.loads[node] + pulled_down(discrete, node);
     let mut quadratic = quadratic(discrete, &hinges, discretisation, 1.0);
     if discrete.gives() {
         // The clearance of the beam is that of the foot of a spring less what that is pressed by, in units of its own.
         for (node, foot) in &columns {
             let unit = spring_unit(discrete.give(*node), depth, force);
             equations.push(foot.iter().map(|(row, share)| (*row, -unit * share)).collect());
-            linear.push(-unit * (discrete.loads[*node] / force));
+            string.moves(*node, linear.len(), -unit);
+            linear.push(-unit * (load(*node) / force));
             quadratic.push(Some(1.0));
         }
     }
@@ -219,7 +239,8 @@ pub(super) fn potential(discrete: &Discrete, discretisation: Discretisation, siz
     let signed = linear.len() + open.len();
     for (node, clearance) in open.into_iter().chain(columns) {
         equations.push(clearance);
-        linear.push(discrete.loads[node] / force);
+        string.moves(node, linear.len(), 1.0);
+        linear.push(load(node) / force);
         quadratic.push(None);
     }
     for (k, (_, [_, share])) in stands.iter().enumerate().skip(discrete.supports().springs().len()) {
@@ -228,6 +249,7 @@ pub(super) fn potential(discrete: &Discrete, discretisation: Discretisation, siz
         quadratic.push(None);
     }
     let sizes = Sizes { x: sizes.x / fine, gradient: sizes.gradient * fine };
+    let quadratic = string.added_to(quadratic, discrete.tension / discrete.spacing * (depth / force));
     SparseForm { quadratic, linear, equations, right, signed, sizes }
 }
 
@@ -259,15 +281,25 @@ pub(super) fn complementary(discrete: &Discrete, discretisation: Discretisation,
     let acts = |spring: &NodeSpring| rows[spring.node].map(|row| vec![(row, -unit(spring))]);
     equations.extend(springs.iter().filter_map(acts));
     linear.extend(springs.iter().map(|spring| unit(spring) * (spring.deflection / depth)));
+    let strings = string_forces(discrete, [depth, force]);
+    for (node, unit) in strings.iter().enumerate() {
+        let ends = [(node, *unit), (node + 1, -unit)];
+        equations.push(ends.iter().filter_map(|(node, share)| Some((rows[*node]?, *share))).collect());
+        let held = ends.iter().filter_map(|(node, share)| Some(share * discrete.supports().at(*node)?.held.deflection));
+        linear.push(held.sum::<f64>() / depth);
+    }
     equations.extend(discrete.places().filter_map(|place| rows[discrete.node_of(place)]).map(|row| vec![(row, -1.0)]));
     linear.extend(discrete.places().map(|place| discrete.depth_of(place) / depth));
     let right = discrete.free_nodes().map(|node| -discrete.loads[node] / force).collect();
     let mut quadratic = quadratic(discrete, &hinges, discretisation, stiffness_number(discrete));
     let taken = |spring: &NodeSpring| unit(spring) * unit(spring) * (force / depth / spring.stiffness);
     springs.iter().for_each(|spring| quadratic.push(Some(taken(spring))));
+    let stretched = |unit: &f64| unit * unit * (force / depth * discrete.spacing / discrete.tension);
+    strings.iter().for_each(|unit| quadratic.push(Some(stretched(unit))));
     let give = |place| discrete.give_of(place) * force / depth;
     discrete.places().map(give).for_each(|give| quadratic.push((discrete.gives() || 0.0 < give).then_some(give)));
-    SparseForm { quadratic, linear, equations, right, signed: hinges.len() + springs.len(), sizes }
+    let signed = hinges.len() + springs.len() + strings.len();
+    SparseForm { quadratic, linear, equations, right, signed, sizes }
 }
 
 /// `G Δ³/(EI X)`: how far a force `G` bends one interval, measured by `X`.
@@ -299,14 +331,22 @@ fn curvature(
     // A spring against turning has the jump from one side of its node to the other.
     let turned =
         discrete.supports().turning(hinge.node).map_or(0.0, |[k, _]| discrete.stiffness / k / discrete.spacing);
-    let share = |other: &Hinge, soft: f64| match (hinge.meets(other) || other.meets(hinge), other.node == hinge.node) {
-        (true, _) => Some(beside * soft),
+    // Under an axial force.
+    let pull = discrete.pull();
+    let links = (pull != 0.0).then(|| soft.map(|soft| Link::of(discretisation, pull, soft)));
+    let across = [0, 1].map(|side| links.map_or(beside * soft[side], |links| links[side].far));
+    let share = |other: &Hinge, far: f64| match (hinge.meets(other) || other.meets(hinge), other.node == hinge.node) {
+        (true, _) => Some(far),
         (_, true) if 0.0 < turned => Some(-turned),
         _ => None,
     };
-    let left = j.checked_sub(1).and_then(|i| Some((i, share(&hinges[i], soft[0])?)));
-    let right = hinges.get(j + 1).and_then(|next| Some((j + 1, share(next, soft[1])?)));
-    let own = (soft[0] + soft[1]) * side + divisions.joint(hinge.node) + turned;
+    let left = j.checked_sub(1).and_then(|i| Some((i, share(&hinges[i], across[0])?)));
+    let right = hinges.get(j + 1).and_then(|next| Some((j + 1, share(next, across[1])?)));
+    let both = match links {
+        Some([left, right]) => left.near + right.near,
+        None => (soft[0] + soft[1]) * side,
+    };
+    let own = both + divisions.joint(hinge.node) + turned;
     let entries = left.into_iter().chain([(j, own)]).chain(right);
     entries.filter(|(_, share)| *share != 0.0).map(|(i, share)| (i, factor * share)).collect()
 }

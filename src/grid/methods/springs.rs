@@ -19,6 +19,7 @@
 use super::Discrete;
 use super::contact_set::ContactSet;
 use super::discrete::as_float;
+use super::held_beam::{Beam, NEAR_ZERO, UNITS};
 use super::span::{Span, links};
 use super::turns::{SOFT, turn};
 use crate::qp::NotPositiveDefinite;
@@ -26,15 +27,42 @@ use crate::qp::blocks::{self, Block, PENALTY};
 use crate::state::Discretisation;
 
 /// A node: its block, `κ`, and the right-hand sides.
+#[derive(Default)]
 pub(super) struct Row {
     pub(super) block: Block,
-    spring: f64,
+    pub(super) spring: f64,
+    /// Under an axial force `1 − ν ω` of the link behind it.
+    pub(super) fall: f64,
     pub(super) right: [f64; 2],
 }
 
 impl AsMut<Block> for Row {
     fn as_mut(&mut self) -> &mut Block {
         &mut self.block
+    }
+}
+
+impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
+    /// Contact forces on ground so soft that the rounding of the jump of the shear force would change how far it sinks: computed from
+    /// that instead.
+    pub(super) fn pressed(&self, mut visit: impl FnMut(usize, f64)) {
+        if self.sunk.is_empty() {
+            return;
+        }
+        let largest = self.moments.iter().fold(0.0, |most: f64, moment| most.max(moment.abs()));
+        if f64::EPSILON * largest * self.discrete.give_inside() <= NEAR_ZERO * self.discrete.sizes().x {
+            return;
+        }
+        for (i, (&node, sunk)) in self.nodes.iter().zip(&self.sunk).enumerate() {
+            let give = self.discrete.give(node);
+            if give <= 0.0 || self.is_free(node) || self.is_sprung(node) {
+                continue;
+            }
+            let (force, near) = (sunk / give, i.saturating_sub(1)..self.moments.len().min(i + 2));
+            let bent: f64 = self.moments[near].iter().map(|moment| moment.abs()).sum();
+            let is_rounding = -force <= UNITS * f64::EPSILON * (self.discrete.loads[node].abs() + bent);
+            visit(node, if force < 0.0 && is_rounding { 0.0 } else { force });
+        }
     }
 }
 
@@ -77,13 +105,13 @@ pub(super) fn solve(
         let [spring, preload] = if turning.is_some() { [0.0; 2] } else { held(discrete, list, node, unit) };
         let block = Block::new(if 0.0 < right.steps { 1.0 / right.steps } else { 0.0 }, w, (b - at_right) / 6.0);
         let block = turning.map_or(block, |[k, _]| block.turning(k / curved / spacing));
-        rows.push(Row { block, spring, right: [-(load - preload + hangs), bent] });
+        rows.push(Row { block, spring, fall: 0.0, right: [-(load - preload + hangs), bent] });
         left = right;
         before = if is_free { before } else { node };
     }
     blocks::factor(&mut rows, |row| row.spring);
     blocks::solve(&mut rows, |row| row.right);
-    turn(&mut rows, &soft)?;
+    turn(&mut rows, &soft, end)?;
     if let Some((index, pivot)) = rows.iter().enumerate().find_map(|(i, row)| Some((i, row.block.failed()?))) {
         return Err(NotPositiveDefinite { index, pivot });
     }
@@ -98,7 +126,7 @@ pub(super) fn solve(
 }
 
 /// `κ` of what holds a node of a list, and its force at the level from which the deflection there counts.
-fn held(discrete: &Discrete, list: &ContactSet, node: usize, unit: f64) -> [f64; 2] {
+pub(super) fn held(discrete: &Discrete, list: &ContactSet, node: usize, unit: f64) -> [f64; 2] {
     if list.is_free(node) {
         return [0.0; 2];
     }

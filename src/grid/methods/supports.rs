@@ -52,6 +52,8 @@ pub(crate) struct Supports {
     /// Those that give and hold the beam both ways, and those that give and only push.
     springs: Vec<NodeSpring>,
     stops: Vec<NodeSpring>,
+    /// Whether tension holds the beam against turning.
+    taut: bool,
     intervals: usize,
 }
 
@@ -88,24 +90,30 @@ impl Supports {
         let springs = scene.springs().filter(|spring| !spring.pushes_only).map(spring).collect();
         let stops = scene.stops().map(spring).collect();
         let held = scene.held().into_iter().map(held).collect();
-        Ok(Self { bearings, springs, stops, ..Self::of(held, grid.intervals()) })
+        let taut = 0.0 < scene.beam().tension();
+        Ok(Self { bearings, springs, stops, taut, ..Self::of(held, grid.intervals()) })
     }
 
     /// Given ones, ascending.
     pub(super) fn of(all: Vec<NodeSupport>, intervals: usize) -> Self {
         let inner = all.partition_point(|s| s.node == 0)..all.partition_point(|s| s.node < intervals);
-        Self { all, inner, bearings: Vec::new(), springs: Vec::new(), stops: Vec::new(), intervals }
+        Self { all, inner, bearings: Vec::new(), springs: Vec::new(), stops: Vec::new(), taut: false, intervals }
     }
 
     /// The same with others that hold the beam and do not give.
     fn with(&self, all: Vec<NodeSupport>) -> Self {
-        let Self { bearings, springs, stops, .. } = self.clone();
-        Self { bearings, springs, stops, ..Self::of(all, self.intervals) }
+        let Self { bearings, springs, stops, taut, .. } = self.clone();
+        Self { bearings, springs, stops, taut, ..Self::of(all, self.intervals) }
     }
 
     /// The same with others that hold the beam.
     pub(super) fn holding(&self, all: Vec<NodeSupport>) -> Self {
         Self { springs: Vec::new(), ..self.with(all) }
+    }
+
+    /// The same of a beam that tension does not hold.
+    pub(super) fn slack(&self) -> Self {
+        Self { taut: false, ..self.clone() }
     }
 
     /// The same with all levels and slopes at zero.
@@ -232,7 +240,8 @@ impl Supports {
 
     /// How many more places have to carry the beam before it is held: none, one, or two.
     pub(crate) fn lacking(&self) -> usize {
-        2_usize.saturating_sub(self.holds().iter().map(|(_, holds)| holds).sum())
+        let needed: usize = if self.taut { 1 } else { 2 };
+        needed.saturating_sub(self.holds().iter().map(|(_, holds)| holds).sum())
     }
 
     /// The nodes that they hold, ascending, with the number of motions that each prevents.

@@ -17,8 +17,8 @@ use crate::qp::{NotPositiveDefinite, blocks};
 /// Joints that are this many times as soft as an interval are taken so: three of sixteen digits are what the others may cost.
 pub(super) const SOFT: f64 = 1e3;
 
-/// Turns a beam without its soft joints in these, each a number of a row with its `1/κ`.
-pub(super) fn turn(rows: &mut [Row], soft: &[(usize, f64)]) -> Result<(), NotPositiveDefinite> {
+/// Turns a beam without its soft joints in these, each a number of a row with its `1/κ`; its rows are factored towards one of them.
+pub(super) fn turn(rows: &mut [Row], soft: &[(usize, f64)], meeting: usize) -> Result<(), NotPositiveDefinite> {
     /// The second time for what rounding left.
     const TIMES: usize = 2;
     if soft.is_empty() {
@@ -30,7 +30,7 @@ pub(super) fn turn(rows: &mut [Row], soft: &[(usize, f64)]) -> Result<(), NotPos
     for (i, _) in soft {
         rows.iter_mut().for_each(|row| row.right = [0.0; 2]);
         rows[*i].right = [0.0, 1.0];
-        blocks::solve(rows, |row| row.right);
+        blocks::solve_towards(rows, meeting, |row| row.right);
         turned.push(steps(rows));
     }
     let matrix = |stiffer: f64| -> Vec<Vec<f64>> {

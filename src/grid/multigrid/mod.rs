@@ -18,7 +18,7 @@ mod windows;
 use crate::methods::{Discrete, Method};
 use crate::qp::{FreeSet, NotPositiveDefinite, Stationary};
 use crate::scene::{Grid, Scene, SceneError};
-use crate::solvers::active_set::{Reduced, optimum, solves_within, violators};
+use crate::solvers::active_set::{PATIENCE, Reduced, optimum, solves_within, violators};
 use crate::solvers::{Answer, MOST_WORK, active_set};
 use crate::state::Contact;
 use local_beam::LocalBeam;
@@ -66,6 +66,8 @@ pub(crate) fn solve(
     let beam = LocalBeam::new(discrete, method.discretisation());
     let end = if discrete.gives() {
         by_newton(&beam, &mut free, &mut cost)
+    } else if discrete.tension != 0.0 {
+        whole(&beam, &mut free, &mut cost)
     } else {
         Windows { beam: &beam, cost: &mut cost }.optimum(&mut free)
     };
@@ -106,6 +108,8 @@ fn start(scene: &Scene, method: Method, discrete: &Discrete, cost: &mut Cost) ->
     if discrete.gives() {
         // A solve that fails here fails again on the finest grid, where the error is returned.
         let _ = by_newton(&beam, &mut free, cost);
+    } else if discrete.tension != 0.0 {
+        let _ = whole(&beam, &mut free, cost);
     } else {
         Windows { beam: &beam, cost }.guess(&mut free);
     }
@@ -122,11 +126,7 @@ fn by_newton(
     /// A handful are the rule.
     const STEPS: usize = 60;
     let n = free.dimension();
-    let mut whole = Reduced {
-        point: Box::new(|free| beam.point(free, 0..n)),
-        make_definite: Box::new(|free| beam.hold(free)),
-        most_solves: solves_within(MOST_WORK.saturating_sub(cost.work), n),
-    };
+    let mut whole = all_of(beam, n, cost);
     let mut solves = 0;
     let mut settled = None;
     while solves < STEPS.min(whole.most_solves) && settled.is_none() {
@@ -144,6 +144,28 @@ fn by_newton(
     cost.whole += solves;
     cost.work += solves * n;
     end
+}
+
+/// The optimum under an axial force. Compression carries a change at one contact over many others: there are no windows.
+fn whole(beam: &LocalBeam<'_>, free: &mut FreeSet, cost: &mut Cost) -> Result<(Stationary, bool), NotPositiveDefinite> {
+    let n = free.dimension();
+    let (mut solves, mut idle) = (0, 0);
+    let end = optimum(&mut all_of(beam, n, cost), free, &mut solves, |_, _| {
+        idle += 1;
+        Ok(idle <= PATIENCE)
+    });
+    cost.whole += solves;
+    cost.work += solves * n;
+    end
+}
+
+/// All variables of a beam.
+fn all_of<'a>(beam: &'a LocalBeam<'_>, n: usize, cost: &Cost) -> Reduced<'a> {
+    Reduced {
+        point: Box::new(move |free| beam.point(free, 0..n)),
+        make_definite: Box::new(|free| beam.hold(free)),
+        most_solves: solves_within(MOST_WORK.saturating_sub(cost.work), n),
+    }
 }
 
 #[cfg(test)]

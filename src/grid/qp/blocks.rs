@@ -66,6 +66,42 @@ impl Block {
         (self.step[0] + self.step[1]).is_finite()
     }
 
+    /// Eliminates the row towards another under an axial force; `carried.a` is without the string of the link.
+    #[inline]
+    fn eliminate_under_tension(&mut self, carried: Carried, theta: f64, between: Between, left: f64) -> Carried {
+        if 0.0 < between.turning {
+            return self.eliminate::<true>(carried, theta, between);
+        }
+        let [c, off, sigma] = between.entries;
+        let (b, e, n) = (carried.a + theta, carried.e + self.eta, -sigma);
+        self.pivot(Carried { a: b + n, ..carried }, 0.0, c);
+        let bent = c * e + left;
+        Carried {
+            a: (b * (c * c + n * self.g) + n * e * e) * self.inverse,
+            e: (b * c * (self.g + off) + e * bent) * self.inverse,
+            g: (c * c * self.g + off * (c * self.h + bent) - b * off * off) * self.inverse,
+        }
+    }
+
+    /// What is left of its pivot, as a share of all that this is a sum of.
+    fn left_of_pivot(&self, carried: Carried, theta: f64, between: Between) -> f64 {
+        let ([c, _, sigma], g) = (between.entries, carried.g.abs() + self.w);
+        let size = match 0.0 < between.turning {
+            true => 1.0 + between.turning * g,
+            false => (carried.a.abs() + theta + sigma.abs()) * g + (c + carried.e.abs()) * (c + carried.e.abs()),
+        };
+        1.0 / (self.inverse.abs() * size)
+    }
+
+    /// How many of the pivots of its row are negative: that of `x` is, and that of `y` is not as long as the beam is stable.
+    pub(crate) fn negative_pivots(&self) -> usize {
+        match 0.0 < self.inverse {
+            true => 1,
+            false if 0.0 < self.turning => 0,
+            false => 2 * usize::from(self.a < 0.0),
+        }
+    }
+
     /// The pivot, if it is no positive number, or if the solution is none.
     pub(crate) fn failed(&self) -> Option<f64> {
         let sound = 0.0 < self.inverse && (self.inverse + self.step[0] + self.step[1]).is_finite();
@@ -231,38 +267,59 @@ pub(crate) fn factor_under_tension<R: AsMut<Block>>(
     ratio: impl Fn(&R) -> f64,
     left: impl Fn(&R) -> f64,
 ) {
-    // `a` without `n`.
-    let eliminate = |row: &mut Block, carried: Carried, theta: f64, between: Between, left: f64| {
-        if 0.0 < between.turning {
-            return row.eliminate::<true>(carried, theta, between);
-        }
-        let [c, off, sigma] = between.entries;
-        let (b, e, n) = (carried.a + theta, carried.e + row.eta, -sigma);
-        row.pivot(Carried { a: b + n, ..carried }, 0.0, c);
-        let bent = c * e + left;
-        Carried {
-            a: (b * (c * c + n * row.g) + n * e * e) * row.inverse,
-            e: (b * c * (row.g + off) + e * bent) * row.inverse,
-            g: (c * c * row.g + off * (c * row.h + bent) - b * off * off) * row.inverse,
-        }
-    };
     let (before, behind) = rows.split_at_mut(meeting);
     let mut from_left = Carried::default();
     for row in before {
         let (theta, left) = (ratio(row), left(row));
         let row = row.as_mut();
-        from_left = eliminate(row, from_left, theta, row.beside(), left);
+        from_left = row.eliminate_under_tension(from_left, theta, row.beside(), left);
     }
     let mut from_right = Carried::default();
     for i in (1..behind.len()).rev() {
         let (theta, left) = (ratio(&behind[i]), left(&behind[i - 1]));
         let between = behind[i - 1].as_mut().beside();
-        from_right = eliminate(behind[i].as_mut(), from_right, theta, between, left);
+        from_right = behind[i].as_mut().eliminate_under_tension(from_right, theta, between, left);
     }
     let Some(row) = behind.first_mut() else { return };
     let theta = ratio(row);
     let (Carried { a, e, g }, right) = (from_left, from_right);
     row.as_mut().pivot(Carried { a: a + right.a, e, g: g + right.g }, theta, right.e);
+}
+
+/// The row towards which the factorisation of a compressed beam loses the fewest digits. On the way from an end pivots are those of a part that is
+/// hinged behind it, which may buckle where the whole does not.
+pub(crate) fn best_meeting<R: AsMut<Block>>(
+    rows: &mut [R],
+    ratio: impl Fn(&R) -> f64 + Copy,
+    left: impl Fn(&R) -> f64 + Copy,
+) -> usize {
+    let last = rows.len() - 1;
+    let mut left_over = |ends: [usize; 2]| -> Vec<f64> {
+        let (mut all, mut carried, towards_left) = (vec![0.0; last + 1], Carried::default(), ends[1] < ends[0]);
+        for k in 0..=last {
+            let i = if towards_left { last - k } else { k };
+            // Nothing is beyond the last row.
+            let beside = if towards_left { i.saturating_sub(1) } else { i };
+            let (theta, fall, between) = (ratio(&rows[i]), left(&rows[beside]), rows[beside].as_mut().beside());
+            let mut block = *rows[i].as_mut();
+            let next = block.eliminate_under_tension(carried, theta, between, fall);
+            all[i] = block.left_of_pivot(carried, theta, between);
+            carried = next;
+        }
+        all
+    };
+    let (from_left, from_right) = (left_over([0, last]), left_over([last, 0]));
+    let mut worst_behind = vec![f64::INFINITY; last + 1];
+    (0..last).rev().for_each(|i| worst_behind[i] = worst_behind[i + 1].min(from_right[i + 1]));
+    let (mut best, mut worst_before) = ((f64::NEG_INFINITY, last), f64::INFINITY);
+    for (i, own) in from_left.into_iter().enumerate() {
+        let worst = worst_before.min(worst_behind[i]);
+        if best.0 <= worst {
+            best = (worst, i);
+        }
+        worst_before = worst_before.min(own);
+    }
+    best.1
 }
 
 /// Solves with these factors for `step`, with `right`, `r₁` and `r₂`, of each row.

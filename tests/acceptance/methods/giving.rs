@@ -10,12 +10,12 @@ use palkki_evidence::random::{Feature, general_on_grid, sample_of};
 
 use crate::scenes::run;
 
-fn read(text: &str) -> Scene {
+pub(super) fn read(text: &str) -> Scene {
     parse("scene.toml", text, |_| Err(ReadProblem::Missing)).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
 /// Intervals of the coarsest grid, at whose nodes all places are.
-const COARSE: usize = 60;
+pub(super) const COARSE: usize = 60;
 
 /// Features of random beams, and whether they lie on an elastic foundation.
 const GROUPS: [(&str, &[Feature], bool); 4] = [
@@ -27,16 +27,18 @@ const GROUPS: [(&str, &[Feature], bool); 4] = [
 
 /// The scenes of a group that beam theory certifies, with its answers.
 fn drawn(of: &'static [Feature], on_soil: bool, cases: u32) -> impl Iterator<Item = (u32, Scene, Solution)> {
-    (0..sample_of(cases)).filter_map(move |i| {
-        let text = general_on_grid(u64::from(i), of, on_soil, 60.0).text;
-        let scene = parse("scene.toml", &text, |_| Err(ReadProblem::Missing)).ok()?;
-        let exact = solve_exactly(&scene).ok()?;
-        (exact.verdict.status == Status::Certified).then_some((i, scene, exact))
-    })
+    (0..sample_of(cases)).filter_map(move |i| known(i, &general_on_grid(u64::from(i), of, on_soil, 60.0).text))
+}
+
+/// The scene of a number, if beam theory certifies it, with its answer.
+pub(super) fn known(i: u32, text: &str) -> Option<(u32, Scene, Solution)> {
+    let scene = parse("scene.toml", text, |_| Err(ReadProblem::Missing)).ok()?;
+    let exact = solve_exactly(&scene).ok()?;
+    (exact.verdict.status == Status::Certified).then_some((i, scene, exact))
 }
 
 /// The largest error of deflections, energy and forces, each over the largest of its kind.
-fn error(found: &ContactState, exact: &ContactState) -> f64 {
+pub(super) fn error(found: &ContactState, exact: &ContactState) -> f64 {
     let force = exact.supports.iter().map(|support| support.force.abs()).fold(exact.contact_force(), f64::max);
     let deflection = exact.deflection.magnitude();
     let mut shares = vec![
@@ -53,64 +55,75 @@ fn error(found: &ContactState, exact: &ContactState) -> f64 {
 /// spacing: the median order, since single ones go up and down with the place of lift-off between two nodes.
 #[test]
 fn random_beams_on_grids_approach_beam_theory() {
+    for (name, of, on_soil) in GROUPS {
+        approach(name, drawn(of, on_soil, 80));
+    }
+}
+
+/// The same of some scenes with their numbers and exact answers.
+#[track_caller]
+pub(super) fn approach(name: &str, drawn: impl Iterator<Item = (u32, Scene, Solution)>) {
     const ORDER: [f64; 2] = [1.85, 2.15];
     /// Below it an error is rounding.
     const ROUNDING: f64 = 1e-11;
-    for (name, of, on_soil) in GROUPS {
-        let (mut orders, mut answers, mut certified) = (Vec::new(), 0_u32, 0_u32);
-        for (i, scene, exact) in drawn(of, on_soil, 80) {
-            for method in Method::ALL {
-                let errors = [COARSE, 8 * COARSE].map(|intervals| {
-                    let found = solve(&scene, &Settings::new(method, Solver::ActiveSet, intervals)).expect("a grid");
-                    let told = format!("{name} {i}, {method}, {intervals}: {}", found.verdict);
-                    assert!(found.verdict.solves_its_problem(), "{told}");
-                    let certificate = found.verdict.certificate.as_ref().expect("bounds");
-                    let nodes = found.state.nodes.as_ref().expect("nodes");
-                    let curve = exact.exact.as_ref().expect("functions");
-                    let off = nodes.x.iter().zip(&nodes.deflection).map(|(x, v)| (v - curve.deflection(*x)).abs());
-                    let off = off.fold(0.0, f64::max);
-                    let rounding = ROUNDING * exact.state.deflection.magnitude();
-                    assert!(off <= certificate.deflection_error + rounding, "{told}: {off}");
-                    answers += 1;
-                    certified += u32::from(found.verdict.status == Status::Certified);
-                    error(&found.state, &exact.state)
-                });
-                if ROUNDING < errors[1] {
-                    orders.push(libm::log(errors[0] / errors[1]) / libm::log(8.0));
-                }
+    let (mut orders, mut answers, mut certified) = (Vec::new(), 0_u32, 0_u32);
+    for (i, scene, exact) in drawn {
+        for method in Method::ALL {
+            let errors = [COARSE, 8 * COARSE].map(|intervals| {
+                let found = solve(&scene, &Settings::new(method, Solver::ActiveSet, intervals)).expect("a grid");
+                let told = format!("{name} {i}, {method}, {intervals}: {}", found.verdict);
+                assert!(found.verdict.solves_its_problem(), "{told}");
+                let certificate = found.verdict.certificate.as_ref().expect("bounds");
+                let nodes = found.state.nodes.as_ref().expect("nodes");
+                let curve = exact.exact.as_ref().expect("functions");
+                let off = nodes.x.iter().zip(&nodes.deflection).map(|(x, v)| (v - curve.deflection(*x)).abs());
+                let off = off.fold(0.0, f64::max);
+                let rounding = ROUNDING * exact.state.deflection.magnitude();
+                assert!(off <= certificate.deflection_error + rounding, "{told}: {off}");
+                answers += 1;
+                certified += u32::from(found.verdict.status == Status::Certified);
+                error(&found.state, &exact.state)
+            });
+            if ROUNDING < errors[1] {
+                orders.push(libm::log(errors[0] / errors[1]) / libm::log(8.0));
             }
         }
-        assert!(99 * answers <= 100 * certified, "{name}: {certified} of {answers}");
-        orders.sort_by(f64::total_cmp);
-        let order = orders[orders.len() / 2];
-        assert!((ORDER[0]..=ORDER[1]).contains(&order), "{name}: {order}");
     }
+    // One in a hundred may be too coarse, or one.
+    assert!(99 * answers <= 100 * (certified + 1), "{name}: {certified} of {answers}");
+    orders.sort_by(f64::total_cmp);
+    let order = orders[orders.len() / 2];
+    assert!((ORDER[0]..=ORDER[1]).contains(&order), "{name}: {order}");
 }
 
 /// The other solvers come to the answer of the active set, or say that they do not; the four steps may stop anywhere.
 #[test]
 fn other_solvers_come_to_the_same_answer() {
-    let mut counts = Vec::new();
     for (name, of, on_soil) in GROUPS {
-        let (mut asked, mut solved) = (0_u32, 0_u32);
-        for (i, scene, _) in drawn(of, on_soil, 40) {
-            for method in Method::ALL {
-                let best = run(&scene, method, Solver::ActiveSet, COARSE);
-                for solver in Solver::ALL {
-                    let found = run(&scene, method, solver, COARSE);
-                    if found.solved {
-                        let apart = error(&found.state, &best.state);
-                        assert!(apart <= 1e-4, "{name} {i}, {method}, {solver}: {apart}");
-                    }
-                    let is_library = Solver::OPTIMAL[2..].contains(&solver);
-                    asked += u32::from(is_library);
-                    solved += u32::from(is_library && found.solved);
+        agree(name, drawn(of, on_soil, 40), 85);
+    }
+}
+
+/// The same of some scenes with their numbers; of a hundred asked, libraries solve at least so many.
+#[track_caller]
+pub(super) fn agree(name: &str, drawn: impl Iterator<Item = (u32, Scene, Solution)>, least: u32) {
+    let (mut asked, mut solved) = (0_u32, 0_u32);
+    for (i, scene, _) in drawn {
+        for method in Method::ALL {
+            let best = run(&scene, method, Solver::ActiveSet, COARSE);
+            for solver in Solver::ALL {
+                let found = run(&scene, method, solver, COARSE);
+                if found.solved {
+                    let apart = error(&found.state, &best.state);
+                    assert!(apart <= 1e-4, "{name} {i}, {method}, {solver}: {apart}");
                 }
+                let is_library = Solver::OPTIMAL[2..].contains(&solver);
+                asked += u32::from(is_library);
+                solved += u32::from(is_library && found.solved);
             }
         }
-        counts.push(format!("{name}: {solved} of {asked}"));
-        assert!(85 * asked <= 100 * solved, "{counts:?}");
     }
+    assert!(least * asked <= 100 * solved, "{name}: {solved} of {asked}");
 }
 
 /// A beam of 10 above a dish, with these supports.

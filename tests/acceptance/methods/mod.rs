@@ -1,5 +1,6 @@
 //! The methods against each other and against exact arithmetic: matrices, loads, digits, properties.
 
+mod axial;
 mod closed;
 mod digits;
 mod exact;

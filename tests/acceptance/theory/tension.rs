@@ -5,10 +5,7 @@ mod random;
 
 use std::f64::consts::PI;
 
-use palkki::Settings;
-use palkki::methods::Method;
 use palkki::scene::file::{ReadProblem, parse};
-use palkki::solvers::Solver;
 use palkki::sweep::Sweep;
 use palkki::theory;
 use palkki::verdict::Status;
@@ -358,14 +355,4 @@ fn a_sweep_over_the_axial_force() {
     }
     let first = back.events(&rows).swap_remove(0);
     assert!(first.what == "the beam no longer buckles" && (first.value - at).abs() < 1e-11, "{first:?}");
-}
-
-/// Who does not know an axial force refuses it before anything is computed.
-#[test]
-fn others_refuse_an_axial_force() {
-    let scene = scene(&format!("{}[foundation]\ndepth = 1.0\n", tied(1e-3, "")));
-    for method in Method::ALL {
-        let refused = palkki::solve(&scene, &Settings::new(method, Solver::ActiveSet, 30)).err();
-        assert!(refused.is_some_and(|error| error.to_string().contains("an axial force")), "{method:?}");
-    }
 }
