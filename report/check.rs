@@ -2,7 +2,6 @@
 //! A beam with loads `q`, point loads `P` and couples `C` has ground at the gap `g` below it. Of all deflections that supports and ground
 //! admit, its deflection `v*` has the least potential energy `J*`. Two fields enclose `J*`: any admissible deflection `v`, and any moments
 //! `M` in equilibrium with the loads and with contact forces that only press.
-//!
 //! ```text
 //! p = M'' + q + N v''      contact pressure: not negative, and zero where there is no ground
 //! F = [M'] + N [v'] + P    force of a place on the beam, upwards: not negative, except at a support. [f] is right less left
@@ -11,7 +10,6 @@
 //! D = −½∫M²/EI − ½∫N v'² − ∫g p − ΣF d + ΣT φ − ½ΣF²/k − ½ΣT²/k − ½ΣM²/k − ½∫p²/k
 //! D ≤ J* ≤ J,      |v − v*| ≤ √(2 (J − D) c)      c: deflection under a unit force
 //! ```
-//!
 //! A proof is JSON, `{"version": 1, "cells": [{"from", "to", "v", "moment", "pressed"}]}`: from left to right the coefficients of `v` and
 //! `M` in powers of `x − from`, as strings. Where a cell is `pressed`, `v` may be below the surface of elastic ground.
 #![allow(missing_docs, missing_debug_implementations, unreachable_pub, clippy::print_stdout, reason = "for readers")]
@@ -52,20 +50,16 @@ fn halves(mut form: Poly, left: usize) -> bool {
 /// As in its file. A number there is the fraction that its 64 bits are. A profile has a polynomial in `x` for each part of the beam. A step
 /// of a polyline is a part without length, at the smaller depth.
 type Profile = Vec<([Q; 2], Poly)>;
-#[derive(Default)]
-pub struct Scene {
+#[derive(Default)] pub struct Scene {
     l: Q, tension: Q, bending: Profile, shape: Profile, ground: Profile, springs: Profile, loads: Profile, supports: BTreeMap<Q, Json>,
     joints: BTreeMap<Q, Q>, points: BTreeMap<Q, Q>, couples: BTreeMap<Q, Q>, breaks: BTreeSet<Q>,
 }
-fn number(v: &Json) -> Result<Q> {
-    v.as_i64().map(Q::from).or_else(|| Q::try_from(v.as_f64()?).ok()).ok_or(format!("{v} is no number"))
-}
+fn number(v: &Json) -> Result<Q> { v.as_i64().map(Q::from).or_else(|| Q::try_from(v.as_f64()?).ok()).ok_or(format!("{v} is no number")) }
 fn positive(v: &Json) -> Result<Q> { number(v).and_then(|x| if x > Q::ZERO { Ok(x) } else { Err(format!("{v} is not positive")) }) }
 fn or_zero(t: &Json, key: &str) -> Result<Q> { t.get(key).map_or(Ok(Q::ZERO), number) }
 fn list(v: &Json) -> &[Json] { v.as_array().map_or(&[], Vec::as_slice) }
 fn sums(all: &Json, what: &str) -> Result<BTreeMap<Q, Q>> {
-    let mut sums = BTreeMap::new();
-    for one in list(all) { *sums.entry(number(&one["at"])?).or_insert(Q::ZERO) += or_zero(one, what)?; } Ok(sums)
+    list(all).iter().try_fold(BTreeMap::new(), |mut sums, one| { *sums.entry(number(&one["at"])?).or_insert(Q::ZERO) += or_zero(one, what)?; Ok(sums) })
 }
 fn profile(t: &Json, l: &Q, file: &dyn Fn(&str) -> Result<String>) -> Result<Profile> {
     let numbers = |v: &Json| list(v).iter().map(number).collect::<Result<Poly>>();
@@ -100,37 +94,53 @@ impl Scene {
         let mut s = Self { tension: or_zero(beam, "tension")?, joints: sums(&beam["joints"], "stiffness")?, ..Self::default() };
         (s.bending, s.shape, s.loads) = (part(beam.get("bending_stiffness"))?, part(beam.get("shape"))?, part(load.get("uniform"))?);
         if let Some(u) = ground { s.ground = part(ground)?; if let k @ Some(_) = u.get("stiffness") { s.springs = part(k)?; } }
-        let ends = json!([{"at": 0}, {"at": beam["length"]}]);
-        for one in list(beam.get("supports").unwrap_or(&ends)) { s.supports.insert(number(&one["at"])?, one.clone()); }
+        for one in list(beam.get("supports").unwrap_or(&json!([{"at": 0}, {"at": beam["length"]}]))) { s.supports.insert(number(&one["at"])?, one.clone()); }
         for q in list(&load["linear"]) { s.loads.extend(part(Some(&json!({"points": [[q["from"], q["start"]], [q["to"], q["end"]]]})))?); }
         (s.points, s.couples) = (sums(&load["point"], "force")?, sums(&load["couple"], "moment")?);
         let parts = [&s.bending, &s.shape, &s.ground, &s.springs, &s.loads].into_iter().flatten().flat_map(|(ends, _)| ends);
         let places = [&s.joints, &s.points, &s.couples].into_iter().flat_map(BTreeMap::keys).chain(s.supports.keys());
-        s.breaks = parts.chain(places).cloned().collect();
-        Ok(Self { l, ..s })
+        Ok(Self { l, breaks: parts.chain(places).cloned().collect(), ..s })
     }
-    fn held(&self) -> (Q, Vec<&Q>) {
-        let rigid = self.supports.iter().filter(|(_, t)| t["pushes_only"] != true && t.get("stiffness").is_none());
-        (self.bending.iter().map(|(_, p)| p[0].clone()).min().unwrap_or(Q::ZERO), rigid.map(|(x, _)| x).collect())
-    }
-    /// `ρ`: how much of the bending energy compression takes at most between rigid supports (Wirtinger; 9.8 < π²); else zero.
+    fn least(&self) -> Q { self.bending.iter().filter_map(|(_, ei)| ei.first().cloned()).min().unwrap_or(Q::ZERO) }
+    /// `ρ`: compression takes at most this share of the energy of the beam, which bears `N/ρ`.
     fn compressed(&self) -> Result<Q> {
-        let (ei, rigid) = self.held();
-        let mut others = self.joints.values().chain(self.springs.iter().map(|(_, k)| &k[0]));
-        if ei <= Q::ZERO || others.any(|k| *k < Q::ZERO) { return Err("a stiffness is not positive".into()); }
-        let square = rigid.windows(2).map(|w| (w[1] - w[0]).sqr()).max().unwrap_or(Q::ZERO);
-        let share = (-&self.tension * square * Q::from(10) / (ei * Q::from(98))).max(Q::ZERO);
-        let is_held = rigid.first() == Some(&&Q::ZERO) && rigid.last() == Some(&&self.l) && self.joints.is_empty();
-        if self.tension >= Q::ZERO || is_held && share < Q::ONE { Ok(share) } else { Err("compression may buckle the beam".into()) }
+        let (shares, stiff) = ([2, 10, 100].map(|n| Q::ONE - Q::ONE / Q::from(n)), |(_, k): &([Q; 2], Poly)| k.len() == 1 && k[0] >= Q::ZERO);
+        let are_stiff = self.bending.iter().chain(&self.springs).all(stiff) && self.joints.values().all(|k| *k >= Q::ZERO);
+        if self.least() <= Q::ZERO || !are_stiff { return Err("a stiffness is not positive".into()); } else if self.tension >= Q::ZERO { return Ok(Q::ZERO); }
+        shares.into_iter().find(|share| self.bears(&(-&self.tension / share)).is_some()).ok_or("compression may buckle the beam".into())
+    }
+    /// It bears `n` if rigid links of length `h` do, which turn at springs of `2 (EI − n h²/π²)/h` at their ends (9.8 < π²). From left to
+    /// right: the least energy `a v² + 2b v ψ + c ψ²` that `v` and the slope leave, rounded down. A rigid support is a stiff spring.
+    fn bears(&self, n: &Q) -> Option<()> {
+        let (rigid, mut at, mut form) = (Q::from(2).pow(200), Q::ZERO, [Q::ZERO, Q::ZERO, Q::ZERO]);
+        let down = |[x, less]: [Q; 2]| (Q::from((x * &rigid).floor()) - less) / &rigid;
+        let turn = |[a, b, c]: [Q; 3], k: &Q| Some(k + &c).filter(|d| *d > Q::ZERO).map(|d|
+            [[a - b.sqr() / &d, Q::ONE], [b * k / &d, Q::ZERO], [c * k / d, Q::ONE]].map(down));
+        if n * self.l.sqr() > self.least() * Q::from(100_000) { return None; }
+        for x in self.breaks.range(Q::ZERO..=self.l.clone()) {
+            let (ei, mut h) = (&on(&self.bending, [&at, x])?[0], x - &at);
+            while h.sqr() * n * Q::from(256) > *ei { h /= Q::from(2); }
+            while at < *x {
+                let k = Q::from(2) * (ei / &h - n * &h * Q::from(10) / Q::from(98));
+                let [a, b, c] = turn(form, &k)?;
+                let far = &b - &a * &h;
+                (form, at) = (turn([a, far.clone(), c - (b + far + n) * &h], &k)?, at + &h);
+            }
+            if let Some(t) = self.supports.get(x).filter(|t| t["pushes_only"] != true) {
+                let k = |key: &str, held: bool| t.get(key).map_or(Ok(if held { rigid.clone() } else { Q::ZERO }), positive).ok();
+                (form[0], form[2]) = (&form[0] + k("stiffness", true)?, &form[2] + k("turning_stiffness", t["built_in"] == true)?);
+            }
+            if let Some(k) = self.joints.get(x) { form = turn(form, k)?; }
+        }
+        (form[0] > Q::ZERO && &form[0] * &form[2] > form[1].sqr()).then_some(())
     }
     /// The error bound of `v`, with the largest `c` of a beam of the least `EI` on two rigid supports, or built in at one; none with joints.
     pub fn error(&self, [low, up]: &[Q; 2]) -> Option<f64> {
-        let ((ei, rigid), l) = (self.held(), &self.l);
+        let (l, rigid) = (&self.l, self.supports.iter().filter(|(_, t)| t["pushes_only"] != true && t.get("stiffness").is_none()));
         let over = |o: Q, span: &Q| o.sqr() * (span + o) / Q::from(3);
-        let built_in = rigid.iter().filter(|x| self.supports[**x]["built_in"] == true).map(|x| over((**x).clone().max(l - *x), &Q::ZERO));
-        let pairs = rigid.iter().enumerate().flat_map(|(i, x)| rigid[i + 1..].iter().map(|y| (*x, *y, *y - *x)));
-        let two = pairs.map(|(x, y, span)| over(x.clone(), &span).max(over(l - y, &span)).max(span.cubic() / Q::from(48)));
-        let c = built_in.chain(two).min().filter(|_| self.joints.is_empty())? / ei / (Q::ONE - self.compressed().ok()?);
+        let pairs = rigid.clone().flat_map(|(x, t)| rigid.clone().filter(move |(y, _)| x < *y || x == *y && t["built_in"] == true).map(move |(y, _)| [x, y]));
+        let largest = pairs.map(|[x, y]| over(x.clone(), &(y - x)).max(over(l - y, &(y - x))).max((y - x).cubic() / Q::from(48)));
+        let c = largest.min().filter(|_| self.joints.is_empty())? / self.least() / (Q::ONE - self.compressed().ok()?);
         Some((Q::from(2) * (up - low) * c).to_f64().value().sqrt() * (1.0 + 1e-12))
     }
 }
@@ -139,7 +149,7 @@ impl Scene {
 struct Cell { a: Q, b: Q, l: Q, v: Poly, moment: Poly, gap: Option<Poly>, pressed: bool }
 fn place(x: &Q) -> f64 { x.to_f64().value() }
 fn fraction(v: &Json) -> Result<Q> {
-    let text = v.as_str().unwrap_or_default();
+    let text = v.as_str().filter(|text| text.split_once(['e', 'E']).is_none_or(|(_, power)| power.len() < 5)).unwrap_or_default();
     if text.contains('/') { text.parse() } else { Q::from_str_decimal(text) }.map_err(|_| format!("{v} is no fraction"))
 }
 fn cells(s: &Scene, proof: &Json) -> Result<Vec<Cell>> {
@@ -150,35 +160,27 @@ fn cells(s: &Scene, proof: &Json) -> Result<Vec<Cell>> {
         if from != *cells.last().map_or(&Q::ZERO, |c| &c.b) || to <= from { return Err(format!("cells do not follow each other at {}", place(&from))); }
         let inside = s.breaks.range((Excluded(&from), Excluded(&to)));
         for w in [&from].into_iter().chain(inside).chain([&to]).collect::<Vec<_>>().windows(2) {
-            let [ground, shape] = [&s.ground, &s.shape].map(|p| on(p, [w[0], w[1]]));
-            let gap = ground.zip(shape).map(|(u, w0)| shift(add(u, &-Q::ONE, w0), w[0]));
+            let gap = on(&s.ground, [w[0], w[1]]).zip(on(&s.shape, [w[0], w[1]])).map(|(u, w0)| shift(add(u, &-Q::ONE, w0), w[0]));
             let [v, moment] = [&v, &moment].map(|p| shift(p.clone(), &(w[0] - &from)));
             cells.push(Cell { a: w[0].clone(), b: w[1].clone(), l: w[1] - w[0], v, moment, gap, pressed: c["pressed"] != false });
         }
     }
     if cells.last().is_some_and(|c| c.b == s.l) { Ok(cells) } else { Err("the cells do not end with the beam".into()) }
 }
-fn along(s: &Scene, Cell { a, b, l, v, moment, gap, pressed }: &Cell, share: &Q) -> Result<[Q; 2]> {
+fn along(s: &Scene, Cell { a, b, l, v, moment, gap, pressed }: &Cell) -> Result<[Q; 2]> {
     let wrong = |what: &str| Err(format!("{what} between {} and {}", place(a), place(b)));
-    let (two, ei) = (Q::from(2), &on(&s.bending, [a, b]).ok_or("no stiffness")?[0]);
+    let (two, ei, k) = (Q::from(2), &on(&s.bending, [a, b]).ok_or("no stiffness")?[0], on(&s.springs, [a, b]).map(|k| &k[0]));
     let acts = s.loads.iter().filter(|(ends, _)| ends[0] <= *a && *b <= ends[1]);
     let (q, slope, bend) = (shift(acts.fold(Poly::new(), |sum, (_, q)| add(&sum, &Q::ONE, q)), a), d(v), d(&d(v)));
-    let p = add(&add(&d(&d(moment)), &Q::ONE, &q), &s.tension, &bend);
-    let (pull, off) = (&s.tension * integral(&slope, &slope, l) / &two, add(moment, ei, &bend));
-    let mut up = ei * integral(&bend, &bend, l) / &two + &pull - integral(&q, v, l);
-    let mut low = -pull - integral(moment, moment, l) / (&two * ei);
-    if !share.is_zero() { low -= share / (Q::ONE - share) * integral(&off, &off, l) / (&two * ei); }
-    let k = on(&s.springs, [a, b]).map(|k| &k[0]);
+    let (p, pull) = (add(&add(&d(&d(moment)), &Q::ONE, &q), &s.tension, &bend), &s.tension * integral(&slope, &slope, l) / &two);
+    let (mut up, low) = (ei * integral(&bend, &bend, l) / &two + &pull - integral(&q, v, l), -&pull - integral(moment, moment, l) / (&two * ei));
     let Some(g) = gap.as_ref().filter(|_| k.is_none_or(|k| !k.is_zero())) else {
         return if p.iter().all(Q::is_zero) { Ok([low, up]) } else { wrong("a contact pressure without ground") };
     };
     if !nonneg(&p, l) { return wrong("the ground pulls"); }
-    match (k.filter(|_| *pressed), add(g, &-Q::ONE, v)) {
-        (Some(k), h) => up += k * integral(&h, &h, l) / &two,
-        (None, h) => if !nonneg(&h, l) { return wrong("the beam is below the ground"); }
-    }
-    low -= integral(g, &p, l) + k.map_or(Q::ZERO, |k| integral(&p, &p, l) / (&two * k));
-    Ok([low, up])
+    let (h, sinks) = (add(g, &-Q::ONE, v), k.filter(|_| *pressed));
+    if let Some(k) = sinks { up += k * integral(&h, &h, l) / &two; } else if !nonneg(&h, l) { return wrong("the beam is below the ground"); }
+    Ok([low - integral(g, &p, l) - k.map_or(Q::ZERO, |k| integral(&p, &p, l) / (&two * k)), up])
 }
 fn across(s: &Scene, beside: [Option<&Cell>; 2]) -> Result<[Q; 2]> {
     let x = beside[0].map_or(Q::ZERO, |c| c.b.clone());
@@ -211,8 +213,7 @@ fn across(s: &Scene, beside: [Option<&Cell>; 2]) -> Result<[Q; 2]> {
         let (pushes, built_in, turning) = (t["pushes_only"] == true, t["built_in"] == true, turning?);
         match &spring? {
             Some(k) => { // The ground beside a spring takes what is more than the spring has at its depth.
-                let own = depths.iter().map(|g| k * (g - &level)).chain([force.clone()]).min().ok_or("no force")?;
-                let own = if pushes { own.max(Q::ZERO) } else { own };
+                let mut own = depths.iter().fold(force.clone(), |own, g| own.min(k * (g - &level))); if pushes { own = own.max(Q::ZERO); }
                 if !pushes || *v > level { up += half(k * (v - &level).sqr()); }
                 (low, force) = (low - half(own.sqr() / k) - &own * level, force - own); }
             None if pushes => if *v > level { return wrong("the beam is below the support"); } else { depths.push(level) },
@@ -223,16 +224,15 @@ fn across(s: &Scene, beside: [Option<&Cell>; 2]) -> Result<[Q; 2]> {
         if built_in || turning.is_some() { low += std::mem::take(&mut couple) * phi; }
     }
     if !couple.is_zero() { return wrong("the moment jumps"); }
-    match depths.iter().min() {
-        Some(depth) if force > Q::ZERO => low -= force * depth,
-        _ => if !force.is_zero() { return wrong(&format!("a force of {} that nothing exerts", place(&force))); }
-    }
-    Ok([low, up])
+    let depth = depths.iter().min().filter(|_| force >= Q::ZERO);
+    if depth.is_none() && !force.is_zero() { return wrong(&format!("a force of {} that nothing exerts", place(&force))); }
+    Ok([low - depth.map_or(Q::ZERO, |g| force * g), up])
 }
 pub fn check(s: &Scene, proof: &Json) -> Result<[Q; 2]> {
     let (cells, share) = (cells(s, proof)?, s.compressed()?);
     let places = (0..=cells.len()).map(|i| across(s, [i.checked_sub(1).map(|i| &cells[i]), cells.get(i)]));
-    cells.iter().map(|c| along(s, c, &share)).chain(places).try_fold([Q::ZERO, Q::ZERO], |[low, up], part| part.map(|[l, u]| [low + l, up + u]))
+    let [low, up] = cells.iter().map(|c| along(s, c)).chain(places).try_fold([Q::ZERO, Q::ZERO], |[low, up], part| part.map(|[l, u]| [low + l, up + u]))?;
+    Ok([&low - &share / (Q::ONE - &share) * (&up - &low), up])
 }
 fn main() -> std::process::ExitCode {
     let paths: Vec<std::path::PathBuf> = std::env::args_os().skip(1).map(Into::into).collect();

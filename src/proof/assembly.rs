@@ -5,7 +5,7 @@
 use dashu_ratio::RBig;
 
 use super::contact_nodes::{HoldingNode, Part};
-use super::equilibrium::{Chosen, Equilibrium, without_pull};
+use super::equilibrium::{Equilibrium, without_pull};
 use super::given::Given;
 use super::polynomial::{
     Polynomial, at, between, derivative, exactly, is_nowhere_negative, jet, magnitude, plus, product, shifted, short,
@@ -101,12 +101,13 @@ impl Given {
             }
         }
         let equilibrium = Equilibrium { given: self, nodes, spans: &spans };
-        let mut assembly = Assembly { given: self, nodes, spans: &spans, moments: Vec::new(), hanging: Vec::new() };
-        let near =
-            (0..nodes.len()).map(|i| assembly.moments_at(i, equilibrium.is_split(i))).collect::<Result<Vec<_>, _>>()?;
-        let chosen = equilibrium.corrected(Chosen { nodes: near, springs: equilibrium.springs() })?;
-        assembly.hanging = (0..spans.len()).map(|i| equilibrium.moments(i, &chosen).0).collect();
-        assembly.moments = chosen.nodes;
+        let chosen = equilibrium.corrected(equilibrium.near()?)?;
+        let hanging = (0..spans.len()).map(|i| equilibrium.moments(i, &chosen).0).collect();
+        let moved: Vec<_> = (0..spans.len()).map(|i| equilibrium.moved(i, &chosen)).collect();
+        for (span, curve) in spans.iter_mut().zip(moved).filter_map(|(span, curve)| Some((span.as_mut()?, curve?))) {
+            span.curve = curve;
+        }
+        let assembly = Assembly { given: self, nodes, spans: &spans, moments: chosen.nodes, hanging };
         let mut cells = Vec::new();
         for (i, span) in spans.iter().enumerate() {
             if span.is_some() {
@@ -203,42 +204,6 @@ fn beside(cell: &Cell, couple: RBig, arm: &RBig) -> [Cell; 2] {
 }
 
 impl Assembly<'_> {
-    /// `T` on both sides of node `i`, of what is beside it; split where something takes a couple.
-    fn moments_at(&self, i: usize, is_split: bool) -> Result<[RBig; 2], Unproven> {
-        let (node, given) = (&self.nodes[i], self.given);
-        let outside = [i == 0, i + 1 == self.nodes.len()];
-        let mut own = node.pressed.as_ref().map_or([RBig::ZERO, RBig::ZERO], |end| end.moment.clone());
-        for side in [0, 1] {
-            own[side] = match &self.spans[i + side] {
-                Some(span) => short(&span.moments[1 - side]),
-                None if outside[side] || node.pressed.is_some() => own[side].clone(),
-                None => {
-                    let about = given.about(node.x, side == 0).ok_or(Unproven::Place { at: node.x })?;
-                    -given.bending_beside(node.x, side == 0) * at(&second(&about), &RBig::ZERO)
-                }
-            };
-            let [level, _] = given.end(node, side)?;
-            own[side] += &given.tension * level;
-        }
-        if is_split {
-            return Ok(own);
-        }
-        let [_, couple] = given.acting(node.x);
-        let is_given = [0, 1].map(|side| outside[side] || self.spans[i + side].is_none());
-        let left = match is_given {
-            // Beyond an end of the beam there is nothing, whatever rounding left beside it.
-            _ if node.x <= 0.0 => own[0].clone(),
-            _ if given.length <= node.x => &own[1] - &couple,
-            [true, false] => own[0].clone(),
-            [false, true] => &own[1] - &couple,
-            [true, true] if self.spans[i].is_none() && !outside[0] => own[0].clone(),
-            [true, true] => &own[1] - &couple,
-            [false, false] => short(&((&own[0] + &own[1] - &couple) / RBig::from(2))),
-        };
-        let right = &left + couple;
-        Ok([left, right])
-    }
-
     /// The cells of span `i`.
     fn hanging_cells(&self, i: usize) -> Vec<Cell> {
         let Some(span) = &self.spans[i] else { return Vec::new() };
@@ -291,27 +256,49 @@ impl Assembly<'_> {
         })
     }
 
-    /// The cells of the zone on the left of node `i`: `v = g`, but for a rounding by which a support is above the ground.
+    /// `v` and `v'` at the places of a zone that its ends and the breaks in it are: those of the ground, but at a kink by rounding, where the
+    /// beam has the slope between and is so much above the ground that a cubic does not reach it.
+    fn places(&self, nodes: &[HoldingNode], parts: &[[f64; 2]]) -> Result<Vec<[RBig; 2]>, Unproven> {
+        let given = self.given;
+        let mut places = vec![given.end(&nodes[0], 1)?];
+        for two in parts.windows(2) {
+            let x = two[0][1];
+            let (Some([g, before]), Some([_, behind])) = (given.side(x, true), given.side(x, false)) else {
+                return Err(Unproven::Place { at: x });
+            };
+            let kink = magnitude(&(&behind - &before));
+            let l = width(two[0]).max(width(two[1]));
+            places.push([g - kink * l, (before + behind) / RBig::from(2)]);
+        }
+        places.push(given.end(&nodes[1], 0)?);
+        Ok(places)
+    }
+
+    /// The cells of the zone on the left of node `i`: `v = g`, but for what rounding does to supports and kinks.
     fn zone(&self, i: usize) -> Result<Vec<Cell>, Unproven> {
         let (given, nodes) = (self.given, &self.nodes[i - 1..=i]);
         let parts = given.parts([nodes[0].x, nodes[1].x], false);
+        let places = self.places(nodes, &parts)?;
         let mut cells = Vec::new();
-        for part in &parts {
+        for (part, ends) in parts.iter().zip(places.windows(2)) {
             let (gap, l) = (given.gap(*part).ok_or(Unproven::Place { at: part[0] })?, width(*part));
-            let own: Polynomial = second(&gap).iter().map(|c| -given.bending(*part) * c).collect();
-            let own = without_pull(&own, &-&given.tension, &gap);
-            let [mut above, mut more] = [(); 2].map(|()| [(); 2].map(|()| [RBig::ZERO, RBig::ZERO]));
-            for (side, node) in nodes.iter().enumerate().filter(|(side, node)| node.x == part[*side]) {
-                let place = if side == 0 { RBig::ZERO } else { l.clone() };
-                let ([v, slope], [g, turn]) = (given.end(node, 1 - side)?, jet(&gap, &place));
-                above[side] = [v - g, slope - turn];
-                more[side][0] = &self.moments[i - 1 + side][1 - side] - at(&own, &place);
-            }
+            let places = [RBig::ZERO, l.clone()];
             let with = |p: Polynomial, ends: &[[RBig; 2]; 2]| match ends.iter().flatten().all(RBig::is_zero) {
                 true => p,
                 false => plus(&p, &RBig::ONE, &between([&ends[0], &ends[1]], &[], &l)),
             };
-            let (v, moment) = (with(gap, &above), with(own, &more));
+            let above = [0, 1].map(|side| {
+                let ([v, slope], [g, turn]) = (&ends[side], jet(&gap, &places[side]));
+                [v - g, slope - turn]
+            });
+            let bent: Polynomial = second(&gap).iter().map(|c| -given.bending(*part) * c).collect();
+            let v = with(gap, &above);
+            let own = without_pull(&bent, &-&given.tension, &v);
+            let mut more = [(); 2].map(|()| [RBig::ZERO, RBig::ZERO]);
+            for (side, _) in nodes.iter().enumerate().filter(|(side, node)| node.x == part[*side]) {
+                more[side][0] = &self.moments[i - 1 + side][1 - side] - at(&own, &places[side]);
+            }
+            let moment = with(own, &more);
             if !given.is_clear(*part, &v) {
                 return Err(Unproven::InGround { ends: *part });
             }
@@ -360,7 +347,9 @@ impl Assembly<'_> {
     fn pressed(&self, i: usize, sunk: &[RBig]) -> Result<Cell, Unproven> {
         let (given, [a, b]) = (self.given, [&self.nodes[i - 1], &self.nodes[i]]);
         let part = [a.x, b.x];
-        let (gap, l) = (given.gap(part).ok_or(Unproven::Place { at: a.x })?, width(part));
+        // Where the ground goes on along a line, but for rounding, the beam follows its first part.
+        let first = given.parts(part, false)[0];
+        let (gap, l) = (given.gap(first).ok_or(Unproven::Place { at: a.x })?, width(part));
         let k = given.soil(part);
         let ends = [given.end(a, 1)?, given.end(b, 0)?];
         let below = [0, 1].map(|side| {

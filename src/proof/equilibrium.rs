@@ -5,22 +5,24 @@
 //! T = M + N v       T'' = p − q       force of a place on the beam  F = [T'] + P       couple  [T] − C
 //! ```
 //!
-//! So tension drops out of equilibrium: `M` is `T − N v` in the end.
+//! So tension drops out of equilibrium: `M` is `T − N v` in the end. Where tension alone holds a hinge or a free end, its `v` is corrected.
 
 use std::collections::BTreeMap;
 
 use dashu_ratio::RBig;
 
 use super::given::Given;
-use super::polynomial::{Polynomial, jet, magnitude, plus};
-use super::span::{Span, on_curve, width};
+use super::polynomial::{Polynomial, at, derivative, jet, magnitude, plus, product, short};
+use super::span::{Curve, Span, on_curve, width};
 use super::{Unproven, contact_nodes::HoldingNode};
 
-/// What is chosen: `T` on both sides of each node, and force and couple of each support that gives.
+/// What is chosen: `T` on both sides of each node, force and couple of each support that gives, and by how much `v` is more at each loose
+/// place of each span.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Chosen {
     pub(super) nodes: Vec<[RBig; 2]>,
     pub(super) springs: Vec<[RBig; 2]>,
+    pub(super) sunk: Vec<Vec<RBig>>,
 }
 
 /// One of these numbers.
@@ -29,6 +31,8 @@ enum Number {
     /// `T` on a side of a node, or on both, which differ by the couple there.
     Node(usize, Option<usize>),
     Spring(usize, usize),
+    /// `v` at a loose place of a span.
+    Loose(usize, usize),
 }
 
 impl Number {
@@ -37,6 +41,7 @@ impl Number {
             Self::Node(i, Some(side)) => chosen.nodes[i][side] += by,
             Self::Node(i, None) => chosen.nodes[i].iter_mut().for_each(|moment| *moment += by),
             Self::Spring(i, what) => chosen.springs[i][what] += by,
+            Self::Loose(i, k) => chosen.sunk[i][k] += by,
         }
     }
 }
@@ -71,10 +76,52 @@ impl Equilibrium<'_> {
         [force - push, couple + turn]
     }
 
-    /// `N v` at a place of a span.
-    fn pull(&self, span: &Span, x: f64) -> RBig {
-        let tension = &self.given.tension;
-        if tension.is_zero() { RBig::ZERO } else { tension * &on_curve(&span.curve, x)[0] }
+    /// `N v` at a place of span `i`.
+    fn pull(&self, i: usize, x: f64, chosen: &Chosen) -> RBig {
+        let (tension, Some(span)) = (&self.given.tension, &self.spans[i]) else { return RBig::ZERO };
+        if tension.is_zero() {
+            return RBig::ZERO;
+        }
+        let more = self.loose(i).iter().position(|place| place.total_cmp(&x).is_eq());
+        let [v, _] = on_curve(&span.curve, x);
+        tension * more.map_or(v.clone(), |k| v + &chosen.sunk[i][k])
+    }
+
+    /// The hinges and free ends of a span under an axial force.
+    fn loose(&self, i: usize) -> Vec<f64> {
+        let Some(Span { curve, .. }) = self.spans[i].as_ref().filter(|_| !self.given.tension.is_zero()) else {
+            return Vec::new();
+        };
+        let hinges = curve.iter().skip(1).map(|(part, _)| part[0]);
+        let hinges = hinges.filter(|x| self.given.joint(*x).is_some_and(Option::is_none));
+        let ends = [(i == 0).then_some(curve[0].0[0]), (i == self.nodes.len()).then_some(curve[curve.len() - 1].0[1])];
+        ends[0].into_iter().chain(hinges).chain(ends[1]).collect()
+    }
+
+    /// Span `i` with its chosen `v` at loose places. From the place before and from the one behind it grows by `s⁴`, which is far less than
+    /// the clearance where the beam lifts off.
+    pub(super) fn moved(&self, i: usize, chosen: &Chosen) -> Option<Curve> {
+        let curve = &self.spans[i].as_ref()?.curve;
+        let (loose, ends) = (self.loose(i), [curve[0].0[0], curve[curve.len() - 1].0[1]]);
+        let none = RBig::ZERO;
+        let mut places: Vec<(f64, &RBig)> = loose.into_iter().zip(&chosen.sunk[i]).collect();
+        if places.iter().all(|(_, by)| by.is_zero()) {
+            return None;
+        }
+        // An end that is loose is one place: the first of two.
+        places.extend(ends.map(|x| (x, &none)));
+        places.sort_by(|a, b| a.0.total_cmp(&b.0));
+        places.dedup_by_key(|place| place.0.to_bits());
+        let moved = |(part, v): &([f64; 2], Polynomial)| {
+            let right = places.partition_point(|place| place.0 <= part[0]);
+            let ([(from, first), (to, second)], start) = ([places[right - 1], places[right]], part[0]);
+            let l = width([from, to]);
+            let up = [width([from, start]) / &l, RBig::ONE / &l];
+            let down = [width([start, to]) / &l, -RBig::ONE / &l];
+            let power = |line: &[RBig; 2]| product(&product(line, line), &product(line, line));
+            (*part, plus(&plus(v, first, &power(&down)), second, &power(&up)))
+        };
+        Some(curve.iter().map(moved).collect())
     }
 
     /// `T` on the parts of a span from `T` and `T'` at its left end, and what these are at its right end.
@@ -103,7 +150,7 @@ impl Equilibrium<'_> {
         // Beyond a free end there is nothing.
         let free = |end: usize| {
             let [force, couple] = self.acting(ends[end], chosen);
-            let pull = self.pull(span, ends[end]);
+            let pull = self.pull(i, ends[end], chosen);
             if end == 0 { [pull + couple, -force] } else { [pull - couple, force] }
         };
         let l = width(ends);
@@ -144,7 +191,7 @@ impl Equilibrium<'_> {
                 let (all, _) = self.moments(i, chosen);
                 let part = span.curve.iter().position(|(part, _)| part[1].total_cmp(&x).is_eq()).unwrap_or(0);
                 let [moment, _] = jet(&all[part], &width(span.curve[part].0));
-                moment - self.pull(span, x)
+                moment - self.pull(i, x, chosen)
             }
         }
     }
@@ -189,11 +236,12 @@ impl Equilibrium<'_> {
         });
         let turns = |k: usize| if self.given.elastic[k].turning.is_some() { 2 } else { 1 };
         let springs = springs.flat_map(|k| (0..turns(k)).map(move |what| Number::Spring(k, what)));
-        ends.into_iter().flatten().chain(springs).collect()
+        let loose = (0..self.loose(i).len()).map(|k| Number::Loose(i, k));
+        ends.into_iter().flatten().chain(springs).chain(loose).collect()
     }
 
     /// Whether something at a node takes a couple.
-    pub(super) fn is_split(&self, i: usize) -> bool {
+    fn is_split(&self, i: usize) -> bool {
         let x = self.nodes[i].x;
         self.given.turning(x).is_some()
             || self.given.support(x).is_some_and(|s| s.slope.is_some() || self.nodes[i].along.is_some())
@@ -249,14 +297,60 @@ impl Equilibrium<'_> {
         Ok(chosen)
     }
 
-    /// How much a condition hangs on a number: of a force, the length counts that it has to turn by.
-    fn weight(&self, number: Number, coefficient: &RBig) -> RBig {
+    /// How much a condition hangs on a number: of a force, the length counts that it has to turn by. On a deflection it hangs if on nothing
+    /// else.
+    fn weight(&self, number: Number, coefficient: &RBig) -> (bool, RBig) {
         let size = magnitude(coefficient);
-        if matches!(number, Number::Spring(_, 0)) { size / super::polynomial::exactly(self.given.length) } else { size }
+        let is_force = matches!(number, Number::Spring(_, 0));
+        let size = if is_force { size / super::polynomial::exactly(self.given.length) } else { size };
+        (!matches!(number, Number::Loose(..)), size)
+    }
+
+    /// What is near the truth.
+    pub(super) fn near(&self) -> Result<Chosen, Unproven> {
+        let nodes = (0..self.nodes.len()).map(|i| self.moments_at(i)).collect::<Result<_, _>>()?;
+        let sunk = (0..self.spans.len()).map(|i| vec![RBig::ZERO; self.loose(i).len()]).collect();
+        Ok(Chosen { nodes, springs: self.springs(), sunk })
+    }
+
+    /// `T` on both sides of node `i`, of what is beside it; split where something takes a couple.
+    fn moments_at(&self, i: usize) -> Result<[RBig; 2], Unproven> {
+        let (node, given) = (&self.nodes[i], self.given);
+        let outside = [i == 0, i + 1 == self.nodes.len()];
+        let mut own = node.pressed.as_ref().map_or([RBig::ZERO, RBig::ZERO], |end| end.moment.clone());
+        for side in [0, 1] {
+            own[side] = match &self.spans[i + side] {
+                Some(span) => short(&span.moments[1 - side]),
+                None if outside[side] || node.pressed.is_some() => own[side].clone(),
+                None => {
+                    let about = given.about(node.x, side == 0).ok_or(Unproven::Place { at: node.x })?;
+                    -given.bending_beside(node.x, side == 0) * at(&derivative(&derivative(&about)), &RBig::ZERO)
+                }
+            };
+            let [level, _] = given.end(node, side)?;
+            own[side] += &given.tension * level;
+        }
+        if self.is_split(i) {
+            return Ok(own);
+        }
+        let [_, couple] = given.acting(node.x);
+        let is_given = [0, 1].map(|side| outside[side] || self.spans[i + side].is_none());
+        let left = match is_given {
+            // Beyond an end of the beam there is nothing, whatever rounding left beside it.
+            _ if node.x <= 0.0 => own[0].clone(),
+            _ if given.length <= node.x => &own[1] - &couple,
+            [true, false] => own[0].clone(),
+            [false, true] => &own[1] - &couple,
+            [true, true] if self.spans[i].is_none() && !outside[0] => own[0].clone(),
+            [true, true] => &own[1] - &couple,
+            [false, false] => short(&((&own[0] + &own[1] - &couple) / RBig::from(2))),
+        };
+        let right = &left + couple;
+        Ok([left, right])
     }
 
     /// Force and couple of each support that gives, rounded.
-    pub(super) fn springs(&self) -> Vec<[RBig; 2]> {
+    fn springs(&self) -> Vec<[RBig; 2]> {
         let pushed = |spring: &super::given::Elastic| {
             let span = self.spans.iter().flatten().find(|span| {
                 let ends = [span.curve[0].0[0], span.curve[span.curve.len() - 1].0[1]];

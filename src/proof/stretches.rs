@@ -11,8 +11,8 @@ use crate::scene::Scale;
 /// A penetration that is less than this share of the largest coefficient is none: there are as many digits of where a beam lifts off.
 const SURFACE: f64 = 1e-10;
 
-/// What is so much less than the largest term of a polynomial is left out of it.
-const NOTHING: f64 = f64::EPSILON * f64::EPSILON;
+/// What is so much less than the largest term of a polynomial is left out of it: the bracket has its square.
+const NOTHING: f64 = 1e-20;
 
 impl Given {
     /// The nodes of a beam that is pressed on stretches, in dimensionless numbers, from end to end.

@@ -36,7 +36,7 @@ const GENERAL: [(&[Feature], bool); 9] = [
     (&[Feature::Hinge], false),
     (&[Feature::Spring], false),
     (&[Feature::Turning, Feature::Stop], false),
-    (&[Feature::Tension], false),
+    (&[Feature::Hinge, Feature::Tension], false),
     (&[Feature::SoilSteps], true),
     (&[Feature::SoilSteps, Feature::Steps, Feature::Hinge], true),
     (&[Feature::SoilSteps, Feature::Spring, Feature::Stop], true),

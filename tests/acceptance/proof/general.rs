@@ -133,3 +133,44 @@ fn the_edge_of_a_step_at_an_end() {
     refuses(&scene("0.5"), &[["0", "1", "0 0 3/2 -1/2", "-3 3"]], "the beam is below the ground at 1");
     refuses(&scene("1"), &free, "the beam is below the ground between 0 and 1");
 }
+
+/// What columns of `EI = 1` and `l = 1` bear.
+const COLUMNS: [(&str, f64); 10] = [
+    // π², 4 π², π²/4, and x² with tan x = x.
+    ("supports = [{ at = 0 }, { at = 1 }]", 9.869_604_401_089_358),
+    ("supports = [{ at = 0, built_in = true }, { at = 1, built_in = true }]", 39.478_417_604_357_43),
+    ("supports = [{ at = 0, built_in = true }]", 2.467_401_100_272_34),
+    ("supports = [{ at = 0, built_in = true }, { at = 1 }]", 20.190_728_556_426_63),
+    ("supports = [{ at = 0 }, { at = 0.5 }, { at = 1 }]", 39.478_417_604_357_43),
+    // A spring of stiffness k at the top, while k l is less than π².
+    ("supports = [{ at = 0 }, { at = 1, stiffness = 2 }]", 2.0),
+    // x² with x tan x = 1; and (2 x)² with a joint of stiffness 1 in the middle.
+    ("supports = [{ at = 0, turning_stiffness = 1 }]", 0.740_173_884_394_967),
+    ("supports = [{ at = 0 }, { at = 1 }]\njoints = [{ at = 0.5, stiffness = 1 }]", 2.960_695_537_579_868),
+    // A hinge beside which each half is built in at one end.
+    (
+        "supports = [{ at = 0, built_in = true }, { at = 1, built_in = true }]\njoints = [{ at = 0.5 }]",
+        9.869_604_401_089_358,
+    ),
+    // Of four times the stiffness in one half: tan² (x/4) = 2.
+    ("bending_stiffness = { steps = [[0, 1], [0.5, 4]] }", 14.602_077_453_837_59),
+];
+
+/// Without loads it stays straight, in a proof without energy.
+#[test]
+fn what_a_column_bears_is_known_to_a_fiftieth() {
+    for (held, most) in COLUMNS {
+        let straight = |force: f64| {
+            let stiffness = if held.contains("bending") { "" } else { "bending_stiffness = 1\n" };
+            let scene = format!("[beam]\nlength = 1\n{stiffness}{held}\ntension = {:?}\n", -force);
+            bracket(&scene, &[["0", "1", "", ""]])
+        };
+        for share in [0.3, 0.8, 0.98] {
+            assert_eq!(straight(share * most), Ok([RBig::ZERO, RBig::ZERO]), "{share} of {most}: {held}");
+        }
+        for share in [1.0 + 1e-12, 1.5, 1e9, 1e200] {
+            let refused = straight(share * most).expect_err(held);
+            assert_eq!(refused, "compression may buckle the beam", "{share} of {most}: {held}");
+        }
+    }
+}

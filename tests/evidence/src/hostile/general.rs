@@ -177,7 +177,7 @@ fn proven(trial: &mut Trial, draft: &Draft, scene: &Scene, exact: &Exact, certif
         read.and_then(|read| check::check(&read, &serde_json::from_str(&fields.json()).map_err(|e| e.to_string())?));
     let [low, up] = match checked {
         Ok(bracket) => bracket.map(|energy| energy.to_f64().value()),
-        // The checker has the least bound on buckling of all beams, and refuses what is nearer to it.
+        // The checker knows what a beam bears to a fiftieth, and refuses what is nearer to it.
         Err(why) if why.contains(BUCKLES) => return,
         Err(why) => return trial.wrong.push(format!("the proof is refused: {why}")),
     };
