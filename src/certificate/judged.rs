@@ -13,7 +13,7 @@ use crate::scene::{Beam, Scale};
 use crate::state::{Discretisation, Nodes};
 
 /// A part of a deflection: `v(from + s)`.
-type Curve = ([f64; 2], Polynomial);
+pub(crate) type Curve = ([f64; 2], Polynomial);
 
 /// The deflection that is judged.
 #[derive(Debug, Clone, Copy)]

@@ -11,6 +11,7 @@
 
 use super::contact_load::{ContactLoad, NotAForce, deflection};
 use super::in_intervals;
+use super::judged::Curve;
 use super::kernel::interval::Interval;
 use crate::scene::{Balance, Grid, Load, PointLoad, Scene, SceneError};
 use crate::state::{Discretisation, Nodes};
@@ -73,10 +74,22 @@ impl Lumped {
     ///
     /// # Errors
     ///
-    /// [`NotLumped`]: a force that is none, or places that are not the inner nodes of equal intervals.
+    /// [`NotLumped`]: a force that is none, places that are not the inner nodes of equal intervals, or a beam of which statics does not say how it
+    /// bends: of that a [`Witness`](crate::Witness) knows more.
     pub fn new(scene: &Scene, forces: impl IntoIterator<Item = (f64, f64)>) -> Result<Self, NotLumped> {
-        scene.is_placed_by_forces()?;
         scene.bends_under_forces("a check under nodal loads")?;
+        Self::bent_by(scene, forces, |lumped, pressing| {
+            in_intervals(lumped, Balance::Held, |enclosed| deflection(pressing, enclosed, &[]))
+        })
+    }
+
+    /// The same of a beam that a dimensionless load and dimensionless forces bend as it is said.
+    pub(crate) fn bent_by(
+        scene: &Scene,
+        forces: impl IntoIterator<Item = (f64, f64)>,
+        bend: impl Fn(&Scene, &ContactLoad) -> Option<Vec<Curve>>,
+    ) -> Result<Self, NotLumped> {
+        scene.is_placed_by_forces()?;
         let length = scene.beam().length();
         let mut inner = ContactLoad::sorted(length, forces)?;
         // An end of the beam that a support holds does not bend it.
@@ -96,7 +109,7 @@ impl Lumped {
             force.0 = node;
         }
         let forces = inner.iter().map(|f| f.1.max(0.0)).collect();
-        let nodes = bent(scene, &grid, first, forces)?;
+        let nodes = bent(scene, &grid, first, forces, bend)?;
         let foot = |(i, (h, p)): (usize, (&f64, &f64))| h + grid.give_of(scene, i + first) * p;
         let feet = nodes.clearance.iter().zip(&nodes.contact_force).enumerate().map(foot).collect();
         Ok(Self { load: ContactLoad::new(length, inner)?, nodes, intervals: grid.intervals(), feet })
@@ -110,7 +123,13 @@ impl Lumped {
 }
 
 /// The beam under nodal loads and contact forces at the nodes of a grid from the `first` one, in the units of the scene.
-fn bent(given: &Scene, places: &Grid, first: usize, forces: Vec<f64>) -> Result<Nodes, NotLumped> {
+fn bent(
+    given: &Scene,
+    places: &Grid,
+    first: usize,
+    forces: Vec<f64>,
+    bend: impl Fn(&Scene, &ContactLoad) -> Option<Vec<Curve>>,
+) -> Result<Nodes, NotLumped> {
     let scaled = given.scaled()?;
     let (scene, scale, beam) = (&scaled.scene, &scaled.scale, scaled.scene.beam());
     let intervals = places.intervals();
@@ -124,8 +143,8 @@ fn bent(given: &Scene, places: &Grid, first: usize, forces: Vec<f64>) -> Result<
     let pressing = (first..).zip(&forces).filter(|(node, _)| !supports.contains(&Some(*node)));
     let pressing =
         ContactLoad::new(beam.length(), pressing.map(|(node, force)| (grid.place(node), force / scale.force)))?;
-    let bent = in_intervals(&lumped, Balance::Held, |enclosed| deflection(&pressing, enclosed, &[]));
-    let bent = bent.filter(|_| !supports.contains(&None)).ok_or(NotLumped::NotHeld { intervals })?;
+    let bent =
+        bend(&lumped, &pressing).filter(|_| !supports.contains(&None)).ok_or(NotLumped::NotHeld { intervals })?;
     let at_node = |node: usize| {
         let x = grid.place(node);
         let cell = bent.partition_point(|(cell, _)| cell[1] <= x).min(bent.len() - 1);

@@ -1,7 +1,7 @@
 //! `certify`: how good are contact forces that some program computed?
 
 use palkki::Witness;
-use palkki::certificate::{Certificate, ContactLoad, Judged, Lumped, Violation, ViolationKind, violations_at_nodes};
+use palkki::certificate::{Certificate, ContactLoad, Judged, Violation, ViolationKind, violations_at_nodes};
 use palkki::route::Status;
 use palkki::scene::file::{FileError, Problem};
 use palkki::state::Contact;
@@ -37,10 +37,10 @@ impl Finding {
         let forces = &arguments.forces;
         let rows = input.forces(forces)?;
         let scene = &input.scene;
-        let lumped = Lumped::new(scene, rows.iter().copied());
+        let witness = Witness::of(scene);
+        let lumped = witness.lumped(rows.iter().copied());
         let own: Vec<Contact> =
             rows.iter().filter(|row| 0.0 < row.1).map(|&(x, force)| Contact::at(x, force)).collect();
-        let witness = Witness::of(scene);
         if arguments.load == LoadArgument::Nodal {
             let lumped = lumped.map_err(|error| Failure::NotLumped { path: forces.clone(), error })?;
             let certificate = witness.judge(Judged::Nodes(&lumped.nodes), &own).map_err(|e| input.error(e))?;

@@ -337,12 +337,13 @@ fn laws(all: &[Law], labels: &Labels, form: Explained) -> String {
             .node
             .map_or_else(|| format!("At x = {}, on the ground", labels.number(law.x)), |i| format!("Node {}", i + 1));
         let [k, now, without, says] =
-            [law.stiffness, law.now, law.without, law.says()].map(|value| labels.number(value));
+            [law.stiffness, law.now, law.without.abs(), law.says()].map(|value| labels.number(value));
+        let less = if law.without < 0.0 { '+' } else { '-' };
         let (formula, sign) = match law.turning {
             false => ("R = k (v - d)", ""),
             true => ("M right - M left = -k (v' - slope)", "-"),
         };
-        text += &format!("\n{at}: {formula} = {sign}{k} ({now} - {without}) = {says}.\n");
+        text += &format!("\n{at}: {formula} = {sign}{k} ({now} {less} {without}) = {says}.\n");
     }
     if all.iter().any(|law| law.turning) {
         text += "\nA couple that acts there adds to the difference of the moments.\n";

@@ -7,7 +7,7 @@
 //! Of the others the next is that which turns most about the nearest place that holds the beam.
 
 use crate::certificate::{ContactLoad, Hung, Violation, ViolationKind, spread};
-use crate::scene::{LinearLoad, Load, PointLoad, Scene, SceneError, Support, is_same_place};
+use crate::scene::{LinearLoad, Load, PointLoad, Scale, Scene, SceneError, Support, is_same_place};
 use crate::theory::{self, Exact};
 
 /// Forces that are farther from a law than this share of the loads violate it: rounding of some digits that were printed is none.
@@ -16,23 +16,29 @@ const ROUNDING: f64 = 1e-9;
 /// What forces do to a beam.
 #[derive(Debug)]
 pub(crate) struct Caused {
-    /// Its deflection, in the units of [`Scene::scaled`].
+    /// Its deflection, in the units that were asked for.
     pub(crate) curve: Vec<Hung>,
     /// Forces that are not those of supports that give, and those that are not in balance with the loads.
     pub(crate) violations: Vec<Violation>,
 }
 
 impl Caused {
-    /// Of forces on the beam of a scene; [`None`] if they do not hold it.
+    /// Of forces on the beam of a scene, in these units; [`None`] if they do not hold it. Those on an elastic foundation are spread, or act at
+    /// nodes.
     ///
     /// # Errors
     ///
     /// [`SceneError::NotKnown`] of a beam that an elastic foundation holds.
-    pub(crate) fn of(scene: &Scene, forces: &ContactLoad) -> Result<Option<Self>, SceneError> {
-        let mut given = Given::of(scene, forces);
+    pub(crate) fn of(
+        scene: &Scene,
+        forces: &ContactLoad,
+        units: &Scale,
+        at_nodes: bool,
+    ) -> Result<Option<Self>, SceneError> {
+        let mut given = Given::of(scene, forces, at_nodes);
         let solved = |given: &Given| {
             let bare = given.scene(scene, forces).ok()?;
-            theory::solve(&bare).ok().filter(|exact| exact.solved)
+            theory::solve(&bare).ok().filter(|exact| exact.solved && given.is_held(scene, exact))
         };
         let exact = loop {
             if let Some(exact) = solved(&given) {
@@ -46,8 +52,7 @@ impl Caused {
                 return Ok(None);
             }
         };
-        let scale = scene.scaled()?.scale;
-        Ok(Some(Self { curve: exact.curve(&scale), violations: given.violations(scene, &exact).collect() }))
+        Ok(Some(Self { curve: exact.curve(units), violations: given.violations(scene, &exact).collect() }))
     }
 }
 
@@ -61,21 +66,39 @@ struct Given {
     holding: Vec<(f64, f64)>,
     /// What it stands on: its supports but those that only push and do not give, and places of the ground.
     supports: Vec<Support>,
+    /// Whether forces are spread.
+    is_spread: bool,
 }
 
 impl Given {
-    fn of(scene: &Scene, forces: &ContactLoad) -> Self {
+    fn of(scene: &Scene, forces: &ContactLoad, at_nodes: bool) -> Self {
         let beam = scene.beam();
         let stands = |x: f64, support: &Support| is_same_place(support.at, x, beam.length());
         let is_own = |&(x, _): &(f64, f64)| scene.foundation().is_none() && beam.springs().iter().any(|s| stands(x, s));
         let (own, contacts) = forces.pressing.iter().copied().partition(is_own);
         let supports = beam.supports().iter().chain(beam.springs()).copied().collect();
-        Self { contacts, own, holding: Vec::new(), supports }
+        let is_spread = scene.ground_stiffness().is_some() && !at_nodes;
+        Self { contacts, own, holding: Vec::new(), supports, is_spread }
     }
 
-    /// In how many ways the beam may move without bending; under tension any place holds it.
+    /// Whether its supports and the stops that it presses hold the beam in an answer: in balance but for rounding it may be anywhere.
+    fn is_held(&self, scene: &Scene, exact: &Exact) -> bool {
+        let length = scene.beam().length();
+        let least = ROUNDING * scene.load().magnitude(length);
+        let presses = |stop: &Support| {
+            exact.state.supports.iter().any(|s| least < s.force && is_same_place(s.at, stop.at, length))
+        };
+        self.free_motions_on(scene, presses) == 0
+    }
+
+    /// In how many ways the beam may move without bending on what holds it both ways.
     fn free_motions(&self, scene: &Scene) -> usize {
-        let mut holding = self.supports.iter().filter(|support| !support.pushes_only);
+        self.free_motions_on(scene, |_| false)
+    }
+
+    /// The same with the stops that are pressed; under tension any place holds it.
+    fn free_motions_on(&self, scene: &Scene, presses: impl Fn(&Support) -> bool) -> usize {
+        let mut holding = self.supports.iter().filter(|support| !support.pushes_only || presses(support));
         if 0.0 < scene.beam().tension() {
             return usize::from(holding.next().is_none());
         }
@@ -114,8 +137,8 @@ impl Given {
     fn scene(&self, scene: &Scene, forces: &ContactLoad) -> Result<Scene, SceneError> {
         let (beam, load) = (scene.beam().clone().with_supports(self.supports.clone())?, scene.load());
         let (mut linear, mut point) = (load.linear().to_vec(), load.point().to_vec());
-        match scene.ground_stiffness() {
-            Some(_) => {
+        match self.is_spread {
+            true => {
                 for part in spread::spread(scene, forces) {
                     let (x, half, force) = (part.x, 0.5 * part.width, part.force);
                     if part.width <= 0.0 {
@@ -131,7 +154,7 @@ impl Given {
                     });
                 }
             }
-            None => point.extend(self.contacts.iter().map(|&(at, force)| PointLoad { at, force: -force })),
+            false => point.extend(self.contacts.iter().map(|&(at, force)| PointLoad { at, force: -force })),
         }
         let load = Load::new(&beam, load.uniform(), linear, point)?.with_couples(&beam, load.couple().to_vec())?;
         Scene::new(beam, load, None)

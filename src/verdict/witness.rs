@@ -13,9 +13,10 @@ use std::sync::OnceLock;
 
 use super::caused::Caused;
 use crate::certificate::{
-    Certificate, ContactLoad, Hung, Judged, Proof, Stretch, Violation, certify, violations, violations_by,
+    Certificate, ContactLoad, Hung, Judged, Lumped, NotLumped, Proof, Stretch, Violation, certify, violations,
+    violations_by,
 };
-use crate::scene::{Foundation, Scene, SceneError};
+use crate::scene::{Foundation, Scale, Scene, SceneError};
 use crate::state::Contact;
 use crate::theory::{self, Exact};
 
@@ -95,7 +96,7 @@ impl<'a> Witness<'a> {
         if let Judged::Forces(forces) = judged
             && self.is_bent_in_theory()
         {
-            let caused = Caused::of(self.scene, forces)?;
+            let caused = Caused::of(self.scene, forces, &self.scene.scaled()?.scale, false)?;
             let curve = caused.map_or_else(Vec::new, |caused| caused.curve);
             return match proven {
                 Some(proof) => Ok(proof.judge_curve(&curve)),
@@ -121,11 +122,30 @@ impl<'a> Witness<'a> {
         if !self.is_bent_in_theory() {
             return violations(self.scene, forces);
         }
-        let Some(caused) = Caused::of(self.scene, forces)? else { return violations_by(self.scene, forces, Some(&[])) };
+        let units = self.scene.scaled()?.scale;
+        let Some(caused) = Caused::of(self.scene, forces, &units, false)? else {
+            return violations_by(self.scene, forces, Some(&[]));
+        };
         let mut found = violations_by(self.scene, forces, Some(&caused.curve))?;
         found.extend(caused.violations);
         found.sort_by(|a, b| b.relative.total_cmp(&a.relative));
         Ok(found)
+    }
+
+    /// The beam under contact forces and a load that is lumped at the same nodes, as [`Lumped::new`] has it: of any beam.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Lumped::new`] but the last one.
+    pub fn lumped(&self, forces: impl IntoIterator<Item = (f64, f64)>) -> Result<Lumped, NotLumped> {
+        const DIMENSIONLESS: Scale = Scale { length: 1.0, depth: 1.0, force: 1.0 };
+        if !self.is_bent_in_theory() {
+            return Lumped::new(self.scene, forces);
+        }
+        Lumped::bent_by(self.scene, forces, |lumped, pressing| {
+            let caused = Caused::of(lumped, pressing, &DIMENSIONLESS, true).ok()??;
+            Some(caused.curve.iter().map(Hung::curve).collect())
+        })
     }
 
     /// Whether forces bend the beam in a way that statics does not say.
