@@ -2,12 +2,17 @@
 
 use super::ContactLoad;
 use super::kernel::contact_node::{EnclosedScene, EnclosedSupport};
-use super::kernel::distance::Part;
+use super::kernel::distance::{self, Error, Part};
 use super::kernel::interval::Interval;
 use super::kernel::polynomial::{Polynomial, number};
-use super::kernel::proof::Piece;
-use crate::scene::Scale;
+use super::kernel::proof::{Pair, Piece};
+use super::kernel::tension::{Hung, MOST_TERMS};
+use super::largest::largest;
+use crate::scene::{Beam, Scale};
 use crate::state::Nodes;
+
+/// A part of a deflection: `v(from + s)`.
+type Curve = ([f64; 2], Polynomial);
 
 /// The deflection that is judged.
 #[derive(Debug, Clone, Copy)]
@@ -29,6 +34,45 @@ impl Judged<'_> {
             Self::Witness => 0,
         }
     }
+}
+
+impl Hung {
+    /// Its ends, and its polynomial.
+    pub(crate) fn curve(&self) -> Curve {
+        let coefficients = self.deflection.iter().take(MOST_TERMS).map(|c| Interval::exact(*c));
+        ([self.from, self.to], Polynomial::of(coefficients))
+    }
+}
+
+/// How far the deflection of nodes is from the true one, and how large it is at least; [`None`] if nothing is known.
+pub(super) fn of_nodes(
+    enclosed: &EnclosedScene<'_>,
+    scale: &Scale,
+    pair: &Pair,
+    nodes: &Nodes,
+) -> Option<(Error, f64)> {
+    let EnclosedScene { stiffness, length, .. } = *enclosed;
+    let cells = parts(&pair.pieces, cubics(nodes, scale, enclosed)?, length);
+    Some((distance::of(pair, cells, stiffness, length)?, 0.0))
+}
+
+/// The same of a deflection by parts.
+pub(super) fn of_curves(beam: &Beam, pair: &Pair, caused: &[Curve]) -> Option<(Error, f64)> {
+    let (stiffness, length) = (beam.bending_stiffness(), beam.length());
+    let cells = caused.iter().copied().map(Cell::of);
+    let error = distance::of(pair, parts(&pair.pieces, cells, length), stiffness, length)?;
+    let size = largest(caused.iter().copied());
+    Some((Error { size: error.size.min(size.hi()), ..error }, size.lo()))
+}
+
+/// The same of the deflection that the places of the witness make.
+pub(super) fn of_witness(pair: &Pair, [greatest, least]: [Interval; 2], beam: &Beam) -> Option<(Error, f64)> {
+    let length = beam.length();
+    let most = Some(distance::of_witness(pair, beam.bending_stiffness(), length)).filter(|most| most.is_finite())?;
+    let reached = greatest.lo().max(-least.hi());
+    // What was lifted is not the deflection that the places make.
+    let at_least = (Interval::exact(reached) - Interval::exact(pair.lifted)).lo().max(0.0);
+    Some((Error { most, at: 0.5 * length, size: greatest.hi().max(-least.lo()) }, at_least))
 }
 
 /// No part of the beam that is compared at once is wider than this share of it, and a cell that is wider has at least

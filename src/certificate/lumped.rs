@@ -76,7 +76,7 @@ impl Lumped {
     /// [`NotLumped`]: a force that is none, or places that are not the inner nodes of equal intervals.
     pub fn new(scene: &Scene, forces: impl IntoIterator<Item = (f64, f64)>) -> Result<Self, NotLumped> {
         scene.is_placed_by_forces()?;
-        scene.bends_under_forces("a check of contact forces")?;
+        scene.bends_under_forces("a check under nodal loads")?;
         let length = scene.beam().length();
         let mut inner = ContactLoad::sorted(length, forces)?;
         // An end of the beam that a support holds does not bend it.

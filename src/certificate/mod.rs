@@ -49,7 +49,7 @@ mod largest;
 mod lumped;
 mod moments;
 mod quantities;
-mod spread;
+pub(crate) mod spread;
 mod standing;
 mod stretches;
 mod summed;
@@ -65,19 +65,21 @@ pub use kkt::{CERTIFIED_RESIDUAL, Kkt};
 pub use lumped::{Lumped, NotLumped};
 pub use quantities::stiffness;
 pub use stretches::Stretch;
+pub(crate) use violations::violations_by;
 pub use violations::{Violation, ViolationKind, violations, violations_at_nodes};
 
 use self::enclosed::{Said, enclosed, in_intervals, with_springs};
+use self::judged::{of_curves, of_nodes, of_witness};
 use self::kernel::contact_node::EnclosedScene;
 use self::kernel::distance::{self, Error};
 use self::kernel::held::hold_by_zones;
 use self::kernel::proof::{self, Pair, Piece};
 pub(crate) use self::kernel::tension::{Hung, MOST_TERMS};
-use self::largest::{extremes, largest};
+use self::largest::extremes;
 use self::quantities::energy;
 use self::standing::Standing;
-use crate::scene::{Beam, Scale, Scaled, Scene, SceneError};
-use crate::state::{Contact, ContactState, Nodes};
+use crate::scene::{Scale, Scaled, Scene, SceneError};
+use crate::state::{Contact, ContactState};
 pub(crate) use kernel::contact_node::Slope;
 #[cfg(feature = "proof")]
 pub(crate) use witness::tridiagonal;
@@ -86,8 +88,12 @@ pub(crate) use witness::tridiagonal;
 ///
 /// # Errors
 ///
-/// Those of [`Proof::of`].
+/// Those of [`Proof::of`], and [`SceneError::NotKnown`] of forces that alone do not say how the beam bends: of these a
+/// [`Witness`](crate::Witness) knows more.
 pub fn certify(scene: &Scene, judged: Judged<'_>, witness: &[Contact]) -> Result<Certificate, SceneError> {
+    if matches!(judged, Judged::Forces(_)) {
+        scene.bends_under_forces("a bound from a list of contacts")?;
+    }
     Ok(Proof::of(scene, witness)?.judge(judged))
 }
 
@@ -175,22 +181,36 @@ impl Proof {
         Ok(Self { scaled, pair, known })
     }
 
-    /// Bounds for a deflection.
+    /// Bounds for a deflection; none of what [`certify`] refuses.
     #[must_use]
     pub fn judge(&self, judged: Judged<'_>) -> Certificate {
         let Scaled { scene, scale, balance } = &self.scaled;
         let known = self.pair.as_ref().and_then(|(pair, ends)| match judged {
             Judged::Nodes(nodes) => in_intervals(scene, *balance, |enclosed| of_nodes(enclosed, scale, pair, nodes)),
             Judged::Forces(forces) => {
-                in_intervals(scene, *balance, |enclosed| of_forces(scene, enclosed, pair, &forces.scaled(scale)))
+                scene.bends_under_forces("").ok()?;
+                let caused =
+                    in_intervals(scene, *balance, |enclosed| spread::caused(scene, enclosed, &forces.scaled(scale)))?;
+                of_curves(scene.beam(), pair, &caused)
             }
             Judged::Witness => of_witness(pair, *ends, scene.beam()),
         });
-        let certificate = self.known.clone();
+        // Of a beam that may turn any position is as good as that of the witness, which is not the one that is given.
+        let given = !(self.known.up_to_a_turn.is_some() && matches!(judged, Judged::Witness));
+        self.with(known, given)
+    }
+
+    /// Bounds for a deflection by parts, from end to end, in the units of [`Scene::scaled`].
+    pub(crate) fn judge_curve(&self, curve: &[Hung]) -> Certificate {
+        let curves: Vec<_> = curve.iter().map(Hung::curve).collect();
+        self.with(self.pair.as_ref().and_then(|(pair, _)| of_curves(self.scaled.scene.beam(), pair, &curves)), true)
+    }
+
+    /// What is known of any deflection, and of one of which the error is at most so large.
+    fn with(&self, known: Option<(Error, f64)>, given: bool) -> Certificate {
+        let (certificate, scale) = (self.known.clone(), &self.scaled.scale);
         let Some((error, least)) = known else { return certificate };
-        // A deflection is given in 64 bits: no bound on its error is below half a unit in its last place. Of a beam that may turn any
-        // position is as good as that of the witness, which is not the one that is given.
-        let given = !(certificate.up_to_a_turn.is_some() && matches!(judged, Judged::Witness));
+        // A deflection is given in 64 bits: no bound on its error is below half a unit in its last place.
         let rounding = if given { 0.5 * f64::EPSILON * error.size } else { 0.0 };
         Certificate {
             deflection_error: error.most.max(rounding) * scale.depth,
@@ -213,33 +233,6 @@ fn of_pair(
     let ends = extremes(pair.pieces.iter().map(|p| ([p.from, p.to], p.v)));
     let known = Certificate::of_any(enclosed, scaled, &pair, ends);
     (Some((pair, ends)), known)
-}
-
-/// How far the deflection of nodes is from the true one, and how large it is at least; [`None`] if nothing is known.
-fn of_nodes(enclosed: &EnclosedScene<'_>, scale: &Scale, pair: &Pair, nodes: &Nodes) -> Option<(Error, f64)> {
-    let EnclosedScene { stiffness, length, .. } = *enclosed;
-    let cells = judged::parts(&pair.pieces, judged::cubics(nodes, scale, enclosed)?, length);
-    Some((distance::of(pair, cells, stiffness, length)?, 0.0))
-}
-
-/// The same of the deflection that contact forces cause.
-fn of_forces(scene: &Scene, enclosed: &EnclosedScene<'_>, pair: &Pair, forces: &ContactLoad) -> Option<(Error, f64)> {
-    let EnclosedScene { stiffness, length, .. } = *enclosed;
-    let caused = spread::caused(scene, enclosed, forces)?;
-    let cells = caused.iter().copied().map(judged::Cell::of);
-    let error = distance::of(pair, judged::parts(&pair.pieces, cells, length), stiffness, length)?;
-    let size = largest(caused.iter().copied());
-    Some((Error { size: error.size.min(size.hi()), ..error }, size.lo()))
-}
-
-/// The same of the deflection that the places of the witness make.
-fn of_witness(pair: &Pair, [greatest, least]: [Interval; 2], beam: &Beam) -> Option<(Error, f64)> {
-    let length = beam.length();
-    let most = Some(distance::of_witness(pair, beam.bending_stiffness(), length)).filter(|most| most.is_finite())?;
-    let reached = greatest.lo().max(-least.hi());
-    // What was lifted is not the deflection that the places make.
-    let at_least = (Interval::exact(reached) - Interval::exact(pair.lifted)).lo().max(0.0);
-    Some((Error { most, at: 0.5 * length, size: greatest.hi().max(-least.lo()) }, at_least))
 }
 
 /// The pair that a list of contacts proves; if that is not sharp, the best of it, of the list with corners that are touched besides, of

@@ -26,16 +26,16 @@ type Curve = ([f64; 2], Polynomial);
 
 /// A force that presses, over how much of the beam it is spread; zero where it is concentrated.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Spread {
-    pub(super) x: f64,
-    pub(super) force: f64,
-    pub(super) width: f64,
+pub(crate) struct Spread {
+    pub(crate) x: f64,
+    pub(crate) force: f64,
+    pub(crate) width: f64,
     /// `∫k` over that.
     pub(super) spring: f64,
 }
 
-/// The forces, from left to right, on a dimensionless scene.
-pub(super) fn spread(scene: &Scene, forces: &ContactLoad) -> Vec<Spread> {
+/// The forces, from left to right.
+pub(crate) fn spread(scene: &Scene, forces: &ContactLoad) -> Vec<Spread> {
     let (length, places) = (scene.beam().length(), &forces.places);
     let width = |x: f64| {
         let i = places.partition_point(|place| *place < x);

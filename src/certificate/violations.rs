@@ -4,7 +4,9 @@ use super::contact_load::{ContactLoad, deflection};
 use super::enclosed;
 use super::kernel::contact_node::EnclosedScene;
 use super::kernel::interval::Interval;
+use super::kernel::load::cells;
 use super::kernel::polynomial::Polynomial;
+use super::kernel::tension::Hung;
 use super::lumped::Lumped;
 use super::spread;
 use crate::scene::{Resultant, Scaled, Scene, SceneError};
@@ -59,22 +61,37 @@ pub struct Violation {
 ///
 /// # Errors
 ///
-/// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled.
+/// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled, and [`SceneError::NotKnown`] of forces that alone do not
+/// say how the beam bends: of these a [`Witness`](crate::Witness) knows more.
 pub fn violations(scene: &Scene, given: &ContactLoad) -> Result<Vec<Violation>, SceneError> {
     scene.bends_under_forces("a check of contact forces")?;
+    violations_by(scene, given, None)
+}
+
+/// The same of forces that bend the beam as it is said, if it is, in the units of [`Scene::scaled`].
+pub(crate) fn violations_by(
+    scene: &Scene,
+    given: &ContactLoad,
+    caused: Option<&[Hung]>,
+) -> Result<Vec<Violation>, SceneError> {
     enclosed(scene, |enclosed, scaled| {
         let scale = &scaled.scale;
         let forces = given.scaled(scale);
         let all = sum(&forces);
         let mut found: Vec<Violation> = tension(&forces, all).into_iter().collect();
-        found.extend(imbalance(scaled, &forces));
-        found.extend(of_springs(scaled, enclosed, &forces));
+        found.extend(imbalance(scaled, &forces).filter(|_| caused.is_none()));
+        let breaks = enclosed.gap.breaks(0.0, enclosed.length);
+        let beam = match caused {
+            Some(caused) => (!caused.is_empty()).then(|| cut(caused, enclosed)),
+            None if scene.ground_stiffness().is_some() => spread::deflection(&scaled.scene, enclosed, &forces),
+            None => deflection(&forces, enclosed, &breaks),
+        };
+        found.extend(beam.as_ref().and_then(|beam| of_springs(scaled, enclosed, &forces, beam)));
         for of_force in &mut found {
             (of_force.at, of_force.amount) = (of_force.at * scale.length, of_force.amount * scale.force);
         }
         let is_rigid = scene.has_obstacle() && scene.ground_stiffness().is_none();
-        let breaks = enclosed.gap.breaks(0.0, enclosed.length);
-        if let Some(beam) = deflection(&forces, enclosed, &breaks).filter(|_| is_rigid) {
+        if let Some(beam) = beam.filter(|_| is_rigid) {
             found.extend(of_depth(enclosed, &forces, &beam).map(|found| Violation {
                 at: found.at * scale.length,
                 amount: found.amount * scale.depth,
@@ -87,16 +104,30 @@ pub fn violations(scene: &Scene, given: &ContactLoad) -> Result<Vec<Violation>, 
 }
 
 /// By how much the worst of the forces is off that of the springs which it stands for, of the true foundation below its share of the beam.
-fn of_springs(scaled: &Scaled, enclosed: &EnclosedScene<'_>, forces: &ContactLoad) -> Option<Violation> {
+fn of_springs(
+    scaled: &Scaled,
+    enclosed: &EnclosedScene<'_>,
+    forces: &ContactLoad,
+    beam: &[([f64; 2], Polynomial)],
+) -> Option<Violation> {
     scaled.scene.ground_stiffness()?;
-    let beam = spread::deflection(&scaled.scene, enclosed, forces)?;
     let off = spread::spread(&scaled.scene, forces).into_iter().filter(|f| 0.0 < f.width).map(|f| {
-        let sunk = spread::at(&beam, f.x) - enclosed.gap.depth(f.x).middle();
+        let sunk = spread::at(beam, f.x) - enclosed.gap.depth(f.x).middle();
         (f.x, (f.force - f.spring * sunk.max(0.0)).abs())
     });
     let (at, amount) = worst(off);
     let relative = share(amount, sum(forces));
     (0.0 < amount).then_some(Violation { kind: ViolationKind::SpringLaw, at, amount, relative })
+}
+
+/// A deflection by parts as one by cells of the gap.
+fn cut(caused: &[Hung], enclosed: &EnclosedScene<'_>) -> Vec<([f64; 2], Polynomial)> {
+    let cells = caused.iter().flat_map(|part| {
+        let ([from, to], v) = part.curve();
+        let cells = cells(from, to, enclosed.gap.breaks(from, to));
+        cells.into_iter().map(move |cell| (cell, v.shifted(Interval::length(from, cell[0]))))
+    });
+    cells.collect()
 }
 
 /// How far the beam that forces hold is in the foundation, and how far from it a force acts.

@@ -1,9 +1,7 @@
 //! `certify`: how good are contact forces that some program computed?
 
 use palkki::Witness;
-use palkki::certificate::{
-    Certificate, ContactLoad, Judged, Lumped, Violation, ViolationKind, violations, violations_at_nodes,
-};
+use palkki::certificate::{Certificate, ContactLoad, Judged, Lumped, Violation, ViolationKind, violations_at_nodes};
 use palkki::route::Status;
 use palkki::scene::file::{FileError, Problem};
 use palkki::state::Contact;
@@ -57,7 +55,7 @@ impl Finding {
             Failure::File(Box::new(FileError::whole(&name, Problem::ForcesWithoutHeader)))
         })?;
         let certificate = witness.judge(Judged::Forces(&load), &own).map_err(|error| input.error(error))?;
-        let violations = violations(scene, &load).map_err(|error| input.error(error))?;
+        let violations = witness.violations(&load).map_err(|error| input.error(error))?;
         let verdict = Verdict::of_forces(certificate.clone());
         let refused = verdict.status != Status::Certified;
         let perhaps = lumped.ok().filter(|_| refused).map(|lumped| lumped.intervals());
@@ -84,6 +82,9 @@ pub(super) fn text(input: &Input, finding: &Finding) -> String {
     }
     if input.scene.ground_stiffness().is_some() && !input.scene.beam().is_held() {
         lines.push(("position", "where the springs exert these forces as nearly as possible".to_owned()));
+    }
+    if input.scene.is_firm("").is_err() {
+        lines.push(("supports that give", "exert what their law gives for these forces".to_owned()));
     }
     let cut_off = labels.force.name("forces cut off");
     lines.push((&cut_off, cut));

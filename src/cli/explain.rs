@@ -3,7 +3,7 @@
 mod chain;
 
 use clap::{Args, ValueEnum};
-use palkki::explain::{Chain, Equation, Explanation, Node, Overhang, Span, What};
+use palkki::explain::{Chain, Equation, Explanation, Law, Node, Overhang, Span, What};
 use palkki::text::{magnitude, markdown_text};
 
 use super::answer::Answer;
@@ -89,7 +89,12 @@ pub(super) fn text(input: &Input, answer: &Answer, form: Explained) -> String {
     let changes = input.scene.is_uniform("").is_err();
     let page = Page { moment: found.moment(), found, labels, form, changes };
     let shaped = input.scene.beam().shape().is_some();
-    head + &page.nodes(shaped) + &page.spans() + &page.overhangs() + &page.equations() + &page.forces()
+    head + &page.nodes(shaped)
+        + &page.spans()
+        + &page.overhangs()
+        + &page.equations()
+        + &laws(&page.found.laws, &page.labels, form)
+        + &page.forces()
 }
 
 /// An explanation that is written.
@@ -207,8 +212,12 @@ impl Page {
             None if found.nodes[node].what == What::Hinge => format!("v{}", node + 1),
             None => format!("x{}", node + 1),
         };
-        let unknowns = found.unknowns().iter().map(unknown).collect::<Vec<_>>().join(", ");
-        text += &format!("\nUnknown: {unknowns}. M = 0 at an end of the beam that is not built in.");
+        let of_law = |law: &Law| Some(format!("v{}{}", if law.turning { "'" } else { "" }, law.node? + 1));
+        let unknowns = found.unknowns().into_iter().map(|of| unknown(&of)).chain(found.laws.iter().filter_map(of_law));
+        let unknowns = unknowns.collect::<Vec<_>>().join(", ");
+        let turns =
+            if found.laws.iter().any(|law| law.turning) { " and that no spring keeps from turning" } else { "" };
+        text += &format!("\nUnknown: {unknowns}. M = 0 at an end of the beam that is not built in{turns}.");
         let has_sides = found.equations.iter().any(|equation| equation.spans.contains(&None));
         text += if has_sides { " M(i-) and M(i+) are the moments just left and just right of node i.\n" } else { "\n" };
         text.extend(found.equations.iter().map(|equation| self.equation(equation)));
@@ -312,6 +321,36 @@ fn name(nodes: &[Node], node: usize, right: bool, size: f64) -> String {
 /// Spans are a, b, c, …, then 27, 28, ….
 fn letter(i: usize) -> String {
     u8::try_from(i).ok().filter(|i| *i < 26).map_or_else(|| (i + 1).to_string(), |i| char::from(b'a' + i).to_string())
+}
+
+/// What supports that give exert, with the numbers.
+fn laws(all: &[Law], labels: &Labels, form: Explained) -> String {
+    if all.is_empty() {
+        return String::new();
+    }
+    let mut text = match form {
+        Explained::Text => "\nSupports that give\n".to_owned(),
+        Explained::Markdown => "\n## Supports that give\n".to_owned(),
+    };
+    for law in all {
+        let at = law
+            .node
+            .map_or_else(|| format!("At x = {}, on the ground", labels.number(law.x)), |i| format!("Node {}", i + 1));
+        let [k, now, without, says] =
+            [law.stiffness, law.now, law.without, law.says()].map(|value| labels.number(value));
+        let (formula, sign) = match law.turning {
+            false => ("R = k (v - d)", ""),
+            true => ("M right - M left = -k (v' - slope)", "-"),
+        };
+        text += &format!("\n{at}: {formula} = {sign}{k} ({now} - {without}) = {says}.\n");
+    }
+    if all.iter().any(|law| law.turning) {
+        text += "\nA couple that acts there adds to the difference of the moments.\n";
+    }
+    if all.iter().any(|law| law.node.is_none()) {
+        text += "\nOn the ground v and v' are those of the ground, which takes what the support does not.\n";
+    }
+    text
 }
 
 /// A table in one of the two forms.

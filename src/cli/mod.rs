@@ -158,11 +158,6 @@ fn solve(arguments: &Solve) -> Result<u8, Failure> {
     let Solve { common, csv, plot, proof, nodes, .. } = arguments;
     let what = format!("solving {}", input::called(&common.scene.path));
     let on_beam = |input: &Input| {
-        if arguments.derivatives {
-            input.scene.is_uniform("--derivatives").map_err(|error| input.error(error))?;
-            input.scene.has_no_tension("--derivatives").map_err(|error| input.error(error))?;
-            input.scene.is_firm("--derivatives").map_err(|error| input.error(error))?;
-        }
         let answer = Answer::of(input, arguments.route()?)?;
         let local = Local::of(&input.scene, &answer, arguments);
         let csv = csv.as_ref().map(|path| (path, csv::table(&input.scene, &answer)));
@@ -265,11 +260,6 @@ fn explain(arguments: &explain::Explain) -> Result<u8, Failure> {
     let explain::Explain { scene, format } = arguments;
     let what = format!("explaining {}", input::called(&scene.path));
     let on_beam = |input: &Input| {
-        if input.scene.ground_stiffness().is_some() {
-            input.scene.is_uniform("explain").map_err(|error| input.error(error))?;
-        }
-        input.scene.has_no_tension("explain").map_err(|error| input.error(error))?;
-        input.scene.is_firm("explain").map_err(|error| input.error(error))?;
         let answer = Answer::of(input, Route::Exact(Demand::default()))?;
         let text = explain::text(input, &answer, *format);
         Ok(Outcome { text, files: Vec::new(), is_certified: answer.is_certified() })

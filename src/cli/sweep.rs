@@ -39,6 +39,8 @@ pub(super) struct Swept {
     envelope: Option<Envelope>,
     /// Where it was stopped.
     stopped: Option<Stopped>,
+    /// Values for which the beam buckles.
+    buckled: usize,
     /// Time of all answers with their certificates, and of the events.
     seconds: [f64; 2],
 }
@@ -74,10 +76,13 @@ struct Gaps {
     open: Option<f64>,
     /// How many stretches there are.
     count: usize,
+    /// Of how many values the beam buckles.
+    buckled: usize,
 }
 
 impl Gaps {
     fn add(&mut self, value: f64, error: SweepError) {
+        self.buckled += usize::from(error.buckles());
         self.first.get_or_insert(error);
         self.count += usize::from(self.open.is_none());
         self.open = Some(value);
@@ -145,7 +150,8 @@ impl Swept {
         let kinds: Vec<_> = rows.iter().map(|row| (row.value, row.pattern.clone())).collect();
         let Events { events, until } = sweep.events_within(&kinds, MOST_WORK);
         let of = sweep.values().len();
-        let stopped = (rows.len() < of || until.is_some() || !refined).then_some(Stopped {
+        // That it buckles is an answer: an event says where.
+        let stopped = (rows.len() + gaps.buckled < of || until.is_some() || !refined).then_some(Stopped {
             rows: rows.len(),
             of,
             events_until: until,
@@ -156,11 +162,11 @@ impl Swept {
             let answer = Answer::without_grid(length, row.solution, time);
             SweptRow { value: row.value, answer, at }
         });
-        let (quantity, paths) = (sweep.quantity(), sweep.paths());
-        Ok(Self { quantity, paths, rows: rows.collect(), events, envelope, stopped, seconds })
+        let (quantity, paths, rows) = (sweep.quantity(), sweep.paths(), rows.collect());
+        Ok(Self { quantity, paths, rows, events, envelope, stopped, buckled: gaps.buckled, seconds })
     }
 
-    /// Whether there is an answer for every value, and every one is certified.
+    /// Whether there is an answer for every value for which the beam does not buckle, and every one is certified.
     pub(super) fn is_certified(&self) -> bool {
         self.stopped.is_none() && self.rows.iter().all(|row| row.answer.is_certified())
     }
@@ -204,6 +210,9 @@ impl Swept {
             let events =
                 events_until.map_or_else(String::new, |value| format!(", events up to {}", labels.number(value)));
             text += &list(&[("stopped", format!("{rows} of {of} values have an answer{events}; {reason}"))]);
+        }
+        if 0 < self.buckled && self.stopped.is_none() {
+            text += &list(&[("buckles", format!("for {} more values, which have no answer", self.buckled))]);
         }
         if self.events.is_empty() {
             text += "\nEvents: none found\n";

@@ -127,9 +127,14 @@ impl Beam {
         next.checked_sub(1).map_or(self.bending_stiffness(), |i| self.steps()[i][1])
     }
 
-    /// Whether hinges leave it free to move without bending, whatever these supports hold: of the lines that it can be, with a corner in each
-    /// hinge, one is zero at all supports and has no slope where it is built in.
+    /// Whether hinges leave it free to move without bending, whatever these supports hold.
     pub(super) fn is_mechanism<'a>(&self, supports: impl Iterator<Item = &'a Support>) -> bool {
+        0 < self.free_motions(supports)
+    }
+
+    /// In how many ways it may move without bending, whatever these supports hold: of the lines that it can be, with a corner in each
+    /// hinge, those that are zero at all supports and have no slope where it is built in.
+    pub(crate) fn free_motions<'a>(&self, supports: impl Iterator<Item = &'a Support>) -> usize {
         /// A pivot that is less is zero but for rounding: places over the length of the beam are known to some units in the last place.
         const ROUNDING: f64 = 1e-12;
         let hinges: Vec<f64> =
@@ -153,18 +158,19 @@ impl Beam {
             rows.push(line(x, false));
             rows.extend(support.slope.map(|_| line(x, true)));
         }
-        let unknowns = hinges.len() + 2;
+        let (unknowns, mut held) = (hinges.len() + 2, 0);
         for column in 0..unknowns {
-            let pivot = (column..rows.len()).max_by(|i, j| rows[*i][column].abs().total_cmp(&rows[*j][column].abs()));
-            let Some(pivot) = pivot.filter(|i| ROUNDING < rows[*i][column].abs()) else { return true };
-            rows.swap(column, pivot);
-            let (done, others) = rows.split_at_mut(column + 1);
+            let pivot = (held..rows.len()).max_by(|i, j| rows[*i][column].abs().total_cmp(&rows[*j][column].abs()));
+            let Some(pivot) = pivot.filter(|i| ROUNDING < rows[*i][column].abs()) else { continue };
+            rows.swap(held, pivot);
+            let (done, others) = rows.split_at_mut(held + 1);
             for row in others {
-                let factor = row[column] / done[column][column];
-                row.iter_mut().zip(&done[column]).for_each(|(value, above)| *value -= factor * above);
+                let factor = row[column] / done[held][column];
+                row.iter_mut().zip(&done[held]).for_each(|(value, above)| *value -= factor * above);
             }
+            held += 1;
         }
-        false
+        unknowns - held
     }
 
     /// Where the bending stiffness changes, from left to right \[length\].

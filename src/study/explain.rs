@@ -22,9 +22,11 @@
 //! ```
 
 mod bent;
+mod laws;
 mod springs;
 mod what;
 
+pub use laws::Law;
 pub use springs::{Chain, ChainNode, Link, Parts};
 pub use what::What;
 
@@ -124,6 +126,8 @@ pub struct Explanation {
     pub equations: Vec<Equation>,
     /// Where supports are off which the beam has lifted: no nodes \[length\].
     pub lifted: Vec<f64>,
+    /// Those of supports that give, from left to right: each at a node is an equation for its deflection or its slope.
+    pub laws: Vec<Law>,
     /// `6 EI`, with the least bending stiffness.
     pub stiffness: f64,
 }
@@ -137,7 +141,9 @@ impl Explanation {
         let stiffness = 6.0 * scene.beam().bending_stiffness();
         let equations = (0..nodes.len()).flat_map(|i| equations(&nodes, &spans, i, stiffness)).collect();
         let lifted = exact.state.supports.iter().filter(|support| has_lifted(support)).map(|support| support.at);
-        Self { lifted: lifted.collect(), nodes, spans, overhangs, equations, stiffness }
+        let places: Vec<f64> = nodes.iter().map(|node| node.x).collect();
+        let laws = Law::all(scene, exact, &places);
+        Self { lifted: lifted.collect(), laws, nodes, spans, overhangs, equations, stiffness }
     }
 
     /// What the equations are for, as many as there are equations and hinges off the ground, each of which is where it has no force: places,
@@ -216,9 +222,14 @@ fn found(scene: &Scene, exact: &Exact) -> Vec<(f64, What, f64, bool)> {
     };
     let is_joined = |x: f64| beam.joints().iter().any(|joint| (joint.at - x).abs() <= SAME * length);
     let mut found = Vec::new();
+    let in_zone = |x: f64| state.contacts.iter().any(|contact| contact.from < x && x < contact.to);
     for support in state.supports.iter().filter(|support| !has_lifted(support)) {
-        let what = if support.moment.is_some() { What::BuiltIn } else { What::Support };
-        found.push((support.at, what, support.force, what == What::BuiltIn));
+        let what = What::of_support(scene, support);
+        // In a zone the ground takes off it what it exerts.
+        let gives = beam.springs().iter().any(|spring| (spring.at - support.at).abs() <= SAME * length);
+        if !(gives && in_zone(support.at)) {
+            found.push((support.at, what, support.force, support.moment.is_some()));
+        }
     }
     for contact in &state.contacts {
         match contact.end_forces {

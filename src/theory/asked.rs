@@ -49,15 +49,20 @@ impl Asked {
 
     /// The scene beside this one, on either side, if there is one.
     pub(super) fn beside(&self, scene: &Scene) -> [Option<Scene>; 2] {
-        [-self.least, self.least].map(|step| match self.by {
+        [-self.least, self.least].map(|step| self.moved(scene, step))
+    }
+
+    /// The scene with its number changed by a step.
+    pub(super) fn moved(&self, scene: &Scene, step: f64) -> Option<Scene> {
+        match self.by {
             By::Depth => scene.with_ground_moved(step).ok(),
             By::Number(quantity) => scene.with_number(quantity, scene.number(quantity)? + step).ok(),
-        })
+        }
     }
 }
 
 /// Whether two answers have contacts and supports of the same kinds, with nearly the same forces at nearly the same places.
-fn is_next_to(exact: &Exact, other: &Exact, length: f64) -> bool {
+pub(super) fn is_next_to(exact: &Exact, other: &Exact, length: f64) -> bool {
     let kinds = |exact: &Exact| -> Vec<bool> {
         let supports = exact.state.supports.iter().map(|support| support.pushes_only && support.force <= 0.0);
         exact.listed.iter().map(|contact| contact.end_forces.is_some()).chain(supports).collect()
@@ -100,7 +105,7 @@ impl Exact {
         all.extend(scene.foundation().map(|_| asked(By::Depth, Change::Ground, scale.depth, depth)));
         let stiffness = scene.beam().bending_stiffness();
         // Of steps each is a number of its own.
-        let is_uniform = scene.is_uniform("").is_ok();
+        let is_uniform = scene.beam().changes().next().is_none();
         all.extend(is_uniform.then(|| number(Quantity::BendingStiffness, Change::Unload, stiffness, stiffness)));
         let ground = scene.ground_stiffness().filter(|_| scene.ground_changes().next().is_none());
         all.extend(ground.map(|k| number(Quantity::GroundStiffness, Change::Stiffen, k, k)));

@@ -88,6 +88,8 @@ impl PiecewiseScene {
                     ..at_support(foundation, own, length, &places, held)
                 })
                 .collect(),
+            turns: scene.held().iter().any(|held| held.turning.is_some())
+                || springs.iter().any(|spring| spring.turning.is_some()),
             springs,
             pulling: Vec::new(),
             tension,

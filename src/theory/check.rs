@@ -96,8 +96,7 @@ const BALANCE: f64 = TOLERANCE / CERTIFIED_RESIDUAL;
 pub(super) fn check(given: &PiecewiseScene, list: &List) -> Check {
     let mut judge = Judge { faults: Vec::new(), worst: 0.0 };
     judge.places(given, list);
-    let mut spans = Vec::with_capacity(list.nodes.len());
-    spans.extend(list.spans(given));
+    let spans = list.spans(given);
     let pieces = all_pieces(given, list, &spans);
     let forces = forces(given, list, &spans);
     let moments = moments(given, list, &spans);

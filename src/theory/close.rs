@@ -13,6 +13,7 @@ use super::piecewise::PiecewiseScene;
 use super::repair::repaired;
 use super::room;
 use super::search::Candidate;
+use super::sensitivity::part_at;
 use super::span::Span;
 use super::violation::Violation;
 
@@ -69,7 +70,7 @@ fn tangent(given: &PiecewiseScene, list: &List, checked: &Check, faults: &[(usiz
     let mut nodes = list.nodes.clone();
     for (i, fault) in faults.iter().rev() {
         let (Violation::Penetration { at, .. }, Some(left)) = (fault, i.checked_sub(1)) else { continue };
-        let Some((_, span)) = checked.spans.iter().find(|(node, span)| node == i && *at <= span.b.x) else { continue };
+        let Some(span) = part_at(&checked.spans, *i, *at) else { continue };
         // A support that only pushes is no edge of the ground beside it.
         let is_edge = |node: &Node| node.is_edge(given) && node.is_ground(given);
         let both = nodes.get(left..=*i).is_some_and(|two| two.iter().all(is_edge));

@@ -7,6 +7,8 @@
 //! ∂J/∂(depth) = −Σ R     ∂J/∂EI = ½∫v''²     ∂J/∂q₀ = −∫v     ∂J/∂P = −v(a)     ∂J/∂a = −P v'(a)     ∂J/∂d_s = −R_s
 //! ```
 
+mod moved;
+
 use super::asked::Asked;
 use super::exact::Exact;
 use super::leeway::Leeway;
@@ -106,8 +108,8 @@ const OF_A_NODE: usize = 6;
 
 impl Exact {
     /// The derivatives of this solution of `scene` by the depth of all of the ground, the bending stiffness, the uniform load, force
-    /// and place of each point load, level and place of each support. Left out is what has none: all of a beam whose position is
-    /// not certain, and of one with a bending stiffness in steps or with joints.
+    /// and place of each point load, level and place of each support; of a beam with supports that give, joints, steps or an axial force
+    /// by their numbers and couples besides. Left out is what has none: all of a beam whose position is not certain.
     #[must_use]
     pub fn derivatives(&self, scene: &Scene) -> Vec<Derivative> {
         let (derivatives, _) = self.derivatives_and_left_out(scene);
@@ -119,6 +121,10 @@ impl Exact {
     #[must_use]
     pub fn derivatives_and_left_out(&self, scene: &Scene) -> (Vec<Derivative>, usize) {
         let [asked, beyond] = self.computed_and_left_out(scene);
+        if !self.is_linear() {
+            let (count, all) = (asked.len(), self.moved_derivatives(scene, asked));
+            return (all.clone(), beyond.len() + if all.is_empty() { 0 } else { count - all.len() });
+        }
         if let Some(springs) = &self.springs {
             return (self.derivatives_on_springs(springs, scene, asked), beyond.len());
         }
@@ -126,6 +132,17 @@ impl Exact {
         let (count, all) = (asked.len(), self.derivatives_within(scene, asked, MOST_PIECES));
         let left_out = beyond.len() + all.as_ref().map_or(0, |all| count - all.len());
         (all.unwrap_or_default(), left_out)
+    }
+
+    /// Those of a general beam, as many as are not too much work.
+    fn moved_derivatives(&self, scene: &Scene, asked: Vec<Asked>) -> Vec<Derivative> {
+        let lies = self.lies_without_load();
+        if !self.solved || self.state.standing.is_some_and(|standing| standing.motion.is_some()) {
+            return Vec::new();
+        }
+        let parts = self.springs.as_ref().map_or(self.given.cells.len(), Springs::unknowns);
+        let most = MOST_PIECES / (moved::ANSWERS * (parts + OF_A_NODE * self.list.nodes.len() + 1));
+        asked.into_iter().take(most).map(|asked| self.moved_derivative(scene, asked, lies)).collect()
     }
 
     /// Those of the derivatives that are asked for that take no more than so many pieces of answers beside this one; [`None`] if the beam is
@@ -156,14 +173,20 @@ impl Exact {
         let unknowns = self.springs.as_ref().map_or(0, Springs::unknowns);
         let most = MOST_NUMBERS / (unknowns + self.state.supports.len() + 5 * self.state.contacts.len() + 1);
         let mut asked = self.asked(scene);
+        if !self.is_linear() {
+            asked.extend(self.asked_besides(scene));
+        }
         let left_out = asked.split_off(most.min(asked.len()));
         [asked, left_out]
     }
 
+    /// Whether nothing gives but the beam, which does not change and which nothing pulls at: others answer in another way.
+    fn is_linear(&self) -> bool {
+        self.given.divisions.is_empty() && self.given.tension == 0.0 && self.given.is_firm()
+    }
+
     pub(super) fn sensitivity(&self) -> Option<Sensitivity<'_>> {
-        // Spans over which the beam changes, or that an axial force pulls at, answer in another way.
-        let is_known = self.given.divisions.is_empty() && self.given.tension == 0.0 && self.given.is_firm();
-        is_known.then(|| Sensitivity::of(&self.given, &self.list, &self.spans, &self.forces))?
+        self.is_linear().then(|| Sensitivity::of(&self.given, &self.list, &self.spans, &self.forces))?
     }
 
     /// The derivative that is asked for; `holds` says on which sides of the scene the contacts are the same.

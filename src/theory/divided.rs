@@ -301,17 +301,13 @@ impl Parts {
         Self { first: parts[0], others }
     }
 
+    /// From left to right.
+    pub(super) fn iter(&self) -> impl Iterator<Item = &Span> {
+        std::iter::once(&self.first).chain(&self.others)
+    }
+
     /// The last one.
     pub(super) fn last(&self) -> &Span {
         self.others.last().unwrap_or(&self.first)
-    }
-}
-
-impl IntoIterator for Parts {
-    type Item = Span;
-    type IntoIter = std::iter::Chain<std::iter::Once<Span>, std::vec::IntoIter<Span>>;
-
-    fn into_iter(self) -> Self::IntoIter {
-        std::iter::once(self.first).chain(self.others)
     }
 }

@@ -9,7 +9,7 @@ use super::span::Span;
 use super::springs::Springs;
 use super::summary;
 use super::violation::Violation;
-use crate::certificate::{Slope, Stretch};
+use crate::certificate::{Hung, Slope, Stretch};
 use crate::scene::{Balance, Foundation, Scale, Scene};
 use crate::state::{Contact, ContactState, Motion, Standing};
 
@@ -207,6 +207,29 @@ impl Exact {
             Slope::Free(_) => None,
         };
         self.list.nodes.iter().filter_map(held).collect()
+    }
+
+    /// True if nothing but supports gives: there is a list of contacts.
+    pub(crate) fn is_rigid(&self) -> bool {
+        self.springs.is_none()
+    }
+
+    /// The deflection by parts in other units, of powers of two; none on ground that gives.
+    pub(crate) fn curve(&self, to: &Scale) -> Vec<Hung> {
+        let [along, deep] = [self.scale.length / to.length, self.scale.depth / to.depth];
+        let mut taylor = vec![0.0; self.given.terms];
+        let of = |piece: &Piece| {
+            piece.deflection(&self.given, &mut taylor);
+            let part = piece.hung(&taylor);
+            let mut unit = deep;
+            let deflection = part.deflection.iter().map(|c| {
+                let scaled = c * unit;
+                unit /= along;
+                scaled
+            });
+            Hung { from: part.from * along, to: part.to * along, deflection: deflection.collect() }
+        };
+        self.pieces.iter().map(of).collect()
     }
 
     /// Of ground that gives, the stretches of the beam in the units of [`Scene::scaled`](crate::scene::Scene::scaled): the witness of a

@@ -7,7 +7,7 @@ use super::list::{List, Node};
 use super::penetration::in_bearings;
 use super::piece::{derivatives, pieces_of};
 use super::piecewise::PiecewiseScene;
-use super::sensitivity::ends;
+use super::sensitivity::{ends, part_at, parts_before};
 use super::span::Span;
 use super::violation::Violation;
 
@@ -60,9 +60,7 @@ pub(super) fn violated_conditions(
             Violation::PullAlong { .. } => add(Condition::ZonePresses(i)),
             Violation::Couple { .. } => add(Condition::Couple(i)),
             Violation::Penetration { at, .. } => {
-                let Some((_, span)) = checked.spans.iter().find(|(j, span)| *j == i && at <= span.b.x) else {
-                    continue;
-                };
+                let Some(span) = part_at(&checked.spans, i, at) else { continue };
                 let near = |x: f64| (at - x).abs() < 0.5 * span.length();
                 let fixed =
                     |node: Option<usize>| node.filter(|&node| list.nodes.get(node).is_some_and(|n| !n.can_move()));
@@ -129,7 +127,7 @@ impl Condition {
     /// The margin of a list whose equations hold; negative where the condition is violated. [`None`] where there is no such
     /// place: then it is not violated.
     pub(super) fn value(self, given: &PiecewiseScene, list: &List) -> Option<f64> {
-        let spans: Vec<(usize, Span)> = list.spans(given).collect();
+        let spans = list.spans(given);
         let forces = forces(given, list, &spans);
         self.of(given, list, &spans, &forces)
     }
@@ -164,7 +162,7 @@ impl Condition {
             Condition::BendsBeside(node, 0) => before(node).map(|span| span.at_b[2]),
             Condition::BendsBeside(node, _) => behind(node).map(|span| span.at_a[2]),
             Condition::Clears(node) => {
-                let parts = spans.iter().filter(|(right, _)| *right == node);
+                let parts = parts_before(spans, node).iter();
                 parts.filter_map(|(_, span)| lowest(given, span)).reduce(f64::min)
             }
             Condition::Couple(node) => {
@@ -183,7 +181,7 @@ impl Condition {
 
 /// The conditions of a list that can be told before they fail, with their values: forces, bends, lengths of zones and clearances.
 pub(super) fn all(given: &PiecewiseScene, list: &List, pulls: &[bool]) -> Vec<(Condition, f64)> {
-    let spans: Vec<(usize, Span)> = list.spans(given).collect();
+    let spans = list.spans(given);
     let forces = forces(given, list, &spans);
     let of_node = |(i, node): (usize, &Node)| match node.support(given) {
         Some(index) => [pulls.get(index).map(|&pulled| Condition::Support(i, pulled)), None],

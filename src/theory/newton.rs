@@ -40,7 +40,7 @@ pub(super) fn solve(given: &PiecewiseScene, list: &mut List) -> Run {
     let mut rests = 0;
     for steps in 0..STEPS {
         // Row i: the jump of h'' at contact i, and its derivatives by the places of contacts i − 1, i and i + 1.
-        let rows = equations(given, list, list.spans(given));
+        let rows = equations(given, list, |row| list.each_span(given, row));
         if QUADRATIC <= steps {
             brackets.iter_mut().zip(&list.nodes).zip(&rows).for_each(|((b, node), row)| b.narrow(node.x, row.jump));
         }
@@ -106,7 +106,7 @@ struct Row {
 /// The equations of all nodes.
 ///
 /// At the solution the middle derivative is `−R − 4 h'' Σ 1/ℓ` or so, with the contact force `R ≥ 0` and `h'' ≥ 0`: negative.
-fn equations(given: &PiecewiseScene, list: &List, spans: impl Iterator<Item = (usize, Span)>) -> Vec<Row> {
+fn equations(given: &PiecewiseScene, list: &List, each: impl FnOnce(&mut dyn FnMut(usize, &Span))) -> Vec<Row> {
     let row = |(i, node): (usize, &Node)| {
         let unknown = list.unknown(given, i);
         let middle = match unknown {
@@ -119,17 +119,17 @@ fn equations(given: &PiecewiseScene, list: &List, spans: impl Iterator<Item = (u
         Row { unknown, derivative: [0.0, middle, 0.0], jump: 0.0 - couple, step: 0.0 }
     };
     let mut rows: Vec<Row> = list.nodes.iter().enumerate().map(row).collect();
-    let mut first = None;
-    // Inside the iterator: its state is large, and would be moved for each span.
-    spans.for_each(|(right, span)| {
-        let start = *first.get_or_insert(span);
+    // The first part of a span that is divided.
+    let mut first: Option<Span> = None;
+    each(&mut |right, span| {
         if span.b.hold == EndCondition::Within {
+            first.get_or_insert(*span);
             return;
         }
-        first = None;
+        let start = first.as_ref().unwrap_or(span);
         let left = right.checked_sub(1);
         let unknown = [left, Some(right)].map(|i| rows.get(i?).and_then(|row| row.unknown));
-        let [at_a, at_b] = response(unknown, [&start, &span]);
+        let [at_a, at_b] = response(unknown, [start, span]);
         if let ([Some(_), _], Some(i)) = (unknown, left) {
             rows[i].derivative[1] -= at_a[0];
             rows[i].derivative[2] -= at_a[1];
@@ -140,6 +140,7 @@ fn equations(given: &PiecewiseScene, list: &List, spans: impl Iterator<Item = (u
             rows[right].derivative[1] += at_b[1];
             rows[right].jump += side(given, list, right, &span.at_b, &span.beam_b);
         }
+        first = None;
     });
     rows
 }
@@ -172,7 +173,7 @@ pub(super) struct Residual {
 pub(super) fn residual(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Residual {
     // A NaN is never small.
     let most = |most: f64, r: f64| if r.abs() <= most { most } else { r.abs() };
-    let rows = equations(given, list, spans.iter().copied());
+    let rows = equations(given, list, |row| spans.iter().for_each(|(i, span)| row(*i, span)));
     let jump = rows.iter().map(|row| row.jump).fold(0.0, most);
     let Some(rows) = newton_step(rows) else {
         return Residual { jump, step: f64::INFINITY, unresolved: (0.0, 0) };

@@ -127,6 +127,8 @@ pub(super) struct PiecewiseScene {
     pub(super) supports: Vec<AtSupport>,
     /// The supports that give, from left to right.
     pub(super) springs: Vec<AtSpring>,
+    /// True if a support is a spring against turning.
+    pub(super) turns: bool,
     /// True for an end of the beam, left and right, without a support.
     pub(super) free_ends: [bool; 2],
     /// Stretches in which a zone of contact would pull at the beam, from left to right; a point load that does so is one

@@ -9,7 +9,7 @@ use super::list::{List, Node};
 use super::normal::{edge_node, merged};
 use super::piecewise::PiecewiseScene;
 use super::pull::zones_between;
-use super::sensitivity::ends;
+use super::sensitivity::{ends, part_at, parts_before};
 use super::span::{EndCondition, Span};
 use super::violation::Violation;
 use crate::certificate::Slope;
@@ -17,15 +17,16 @@ use crate::certificate::Slope;
 /// The list with these faults repaired as far as each of them says how.
 pub(super) fn repaired(given: &PiecewiseScene, list: &List, checked: &Check, faults: &[(usize, Violation)]) -> List {
     let mut repair = Repair { given, list, checked, keep: vec![true; list.nodes.len()], added: Vec::new() };
+    let found = Found::of(faults, list.nodes.len());
     for &(i, fault) in faults {
         match fault {
             Violation::Inverted { .. } => repair.inverted(i),
             Violation::Broken { at } => repair.broken(i, at),
             Violation::PullAlong { .. } => repair.pull_along(i),
-            Violation::Penetration { .. } if is_beside_deeper(checked, faults, i, fault) => {}
+            Violation::Penetration { depth, .. } if depth < found.depths[i] && is_divided(checked, i) => {}
             Violation::Pull { .. } => repair.pull(i),
             Violation::CurvatureGap { .. } => repair.curvature_gap(i),
-            Violation::Unresolved { .. } if !is_of_inverted(faults, i) => repair.unresolved(i),
+            Violation::Unresolved { .. } if !found.is_inverted_beside(i) => repair.unresolved(i),
             Violation::Jump { .. } => repair.lift_tip(i),
             Violation::Penetration { at, .. } => repair.penetration(i, at),
             _ => {}
@@ -46,17 +47,37 @@ pub(super) fn repaired(given: &PiecewiseScene, list: &List, checked: &Check, fau
     merged(given, &nodes)
 }
 
-/// True if the zone beside the span before node `i` would end before it starts.
-fn is_of_inverted(faults: &[(usize, Violation)], i: usize) -> bool {
-    let zone = |start: &usize| (*start..=*start + 1).any(|node| node == i || node + 1 == i);
-    faults.iter().any(|(start, fault)| matches!(fault, Violation::Inverted { .. }) && zone(start))
+/// True if the span before node `i` is divided: each of its parts has its deepest place, and the span touches at one first.
+fn is_divided(checked: &Check, i: usize) -> bool {
+    1 < parts_before(&checked.spans, i).len()
 }
 
-/// True if a span that is divided goes deeper elsewhere: each of its parts has its deepest place, and the span touches at one first.
-fn is_beside_deeper(checked: &Check, faults: &[(usize, Violation)], i: usize, fault: Violation) -> bool {
-    let depth = |fault: &Violation| if let Violation::Penetration { depth, .. } = fault { *depth } else { 0.0 };
-    let parts = checked.spans.iter().filter(|(right, _)| *right == i).count();
-    1 < parts && faults.iter().any(|(other, deeper)| *other == i && depth(&fault) < depth(deeper))
+/// What of the faults a repair asks for at other nodes; a list may have hundreds of thousands.
+struct Found {
+    /// Whether a zone would end before it starts, by its first node.
+    inverted: Vec<bool>,
+    /// How deep the beam is in the ground in the span before a node.
+    depths: Vec<f64>,
+}
+
+impl Found {
+    /// Of a list with so many nodes.
+    fn of(faults: &[(usize, Violation)], nodes: usize) -> Self {
+        let mut found = Self { inverted: vec![false; nodes + 1], depths: vec![0.0; nodes + 1] };
+        for &(i, fault) in faults {
+            match fault {
+                Violation::Inverted { .. } => found.inverted[i] = true,
+                Violation::Penetration { depth, .. } => found.depths[i] = found.depths[i].max(depth),
+                _ => {}
+            }
+        }
+        found
+    }
+
+    /// True if the zone beside the span before node `i` would end before it starts.
+    fn is_inverted_beside(&self, i: usize) -> bool {
+        self.inverted[i.saturating_sub(2)..=i].contains(&true)
+    }
 }
 
 /// A list and what becomes of it.
@@ -215,8 +236,8 @@ impl Repair<'_> {
 
     /// The beam penetrates the foundation in the span before node `i`, deepest at `at`.
     fn penetration(&mut self, i: usize, at: f64) {
-        let mut parts = self.checked.spans.iter().filter(|(right, _)| *right == i).map(|(_, span)| span);
-        let Some(span) = parts.clone().find(|span| at <= span.b.x).or(parts.next_back()) else { return };
+        let last = || parts_before(&self.checked.spans, i).last().map(|(_, span)| span);
+        let Some(span) = part_at(&self.checked.spans, i, at).or_else(last) else { return };
         if let Some(breakpoint) = edge_at(self.given, span, at) {
             self.added.push(edge_node(self.given, breakpoint));
             return;

@@ -371,6 +371,18 @@ pub(super) fn standing(given: &PiecewiseScene, list: &List, i: usize) -> f64 {
     given.breakpoint_at(list.nodes[i].x).map_or(0.0, |breakpoint| given.breakpoints[breakpoint].force)
 }
 
+/// The parts of the span to the left of a node, of which there is one if it is not divided.
+pub(super) fn parts_before(spans: &[(usize, Span)], i: usize) -> &[(usize, Span)] {
+    let from = spans.partition_point(|(right, _)| *right < i);
+    let parts = spans[from..].partition_point(|(right, _)| *right == i);
+    &spans[from..from + parts]
+}
+
+/// That part of the span to the left of a node which has `x` in it, or lies to the right of it.
+pub(super) fn part_at(spans: &[(usize, Span)], i: usize, x: f64) -> Option<&Span> {
+    parts_before(spans, i).iter().map(|(_, span)| span).find(|span| x <= span.b.x)
+}
+
 /// The spans to the left and to the right of a node, of divided ones the parts that are next to it.
 pub(super) fn ends(spans: &[(usize, Span)], i: usize) -> [Option<&Span>; 2] {
     let behind = spans.partition_point(|(right, _)| *right <= i);

@@ -71,27 +71,31 @@ impl Tense {
     }
 }
 
+impl Piece {
+    /// Of the coefficients of its deflection about its anchor as many as are used.
+    pub(super) fn hung(&self, taylor: &[f64]) -> Hung {
+        let mut few = vec![0.0; MOST_TERMS.min(taylor.len())];
+        shifted(taylor, 0.5 * (self.lo + self.hi) - self.anchor, &mut few);
+        let mut deflection = vec![0.0; few.len()];
+        shifted(&few, -0.5 * self.width(), &mut deflection);
+        Hung { from: self.lo, to: self.hi, deflection }
+    }
+}
+
 impl Exact {
     /// Under an axial force the deflection between contacts, in the units of [`Scene::scaled`](crate::scene::Scene::scaled): a part of the
     /// witness of a certificate. About its middle a piece, of half a cell, needs few terms: `0.2¹¹/11!` is `5·10⁻¹⁶`.
     pub(crate) fn hung(&self) -> Vec<Hung> {
-        let few = |piece: &Piece, taylor: &[f64]| {
-            let mut few = vec![0.0; MOST_TERMS.min(taylor.len())];
-            shifted(taylor, 0.5 * (piece.lo + piece.hi) - piece.anchor, &mut few);
-            let mut deflection = vec![0.0; few.len()];
-            shifted(&few, -0.5 * piece.width(), &mut deflection);
-            Hung { from: piece.lo, to: piece.hi, deflection }
-        };
         if self.given.tension == 0.0 {
             return Vec::new();
         }
         if let Some(springs) = &self.springs {
-            return springs.hanging().map(|part| few(&part.piece, &part.deflection)).collect();
+            return springs.hanging().map(|part| part.piece.hung(&part.deflection)).collect();
         }
         let mut taylor = vec![0.0; self.given.terms];
         let of = |piece: &Piece| {
             piece.deflection(&self.given, &mut taylor);
-            few(piece, &taylor)
+            piece.hung(&taylor)
         };
         self.pieces.iter().filter(|piece| piece.state.is_some()).map(of).collect()
     }

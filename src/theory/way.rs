@@ -49,23 +49,24 @@ impl Way {
             heights[1] - heights[0]
         };
         let incline = rise / (b.x - a.x);
-        Self { heights, ..Self::with(given, [*a, *b], profiles, (in_beam, levels, incline)) }
+        Self { heights, ..Self::with([*a, *b], profiles, bends, (in_beam, levels, incline)) }
     }
 
     /// Of a span of which springs hold one end or both: in its deflection, from the level of its node.
     pub(super) fn afloat(given: &PiecewiseScene, ends: [End; 2], node: Option<End>) -> Self {
         let level = node.map_or(0.0, |node| node.hold.level(given.derivative(node.cell, node.x, 0)));
         let profiles = ends.map(|end| given.derivatives(end.cell, end.x));
-        Self::with(given, ends, profiles, (true, [level; 2], 0.0))
+        let bends = [0, 1].map(|i| profiles[i][2] / given.cells[ends[i].cell].stiffness);
+        Self::with(ends, profiles, bends, (true, [level; 2], 0.0))
     }
 
+    /// With `u''` at both ends.
     fn with(
-        given: &PiecewiseScene,
         ends: [End; 2],
         profiles: [[f64; 4]; 2],
+        bends: [f64; 2],
         (in_beam, levels, incline): (bool, [f64; 2], f64),
     ) -> Self {
-        let bends = [0, 1].map(|i| profiles[i][2] / given.cells[ends[i].cell].stiffness);
         let held = [0, 1].map(|i| match (ends[i].hold, in_beam) {
             (EndCondition::Resting, true) => Prescribed::Slope(profiles[i][1] + bends[i] * ends[i].low - incline),
             (EndCondition::Resting, false) => Prescribed::Slope(-incline),

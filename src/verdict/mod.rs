@@ -42,6 +42,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod caused;
 mod summary;
 pub(crate) mod witness;
 

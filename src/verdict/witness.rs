@@ -11,7 +11,10 @@
 
 use std::sync::OnceLock;
 
-use crate::certificate::{Certificate, Hung, Judged, Proof, Stretch, certify};
+use super::caused::Caused;
+use crate::certificate::{
+    Certificate, ContactLoad, Hung, Judged, Proof, Stretch, Violation, certify, violations, violations_by,
+};
 use crate::scene::{Foundation, Scene, SceneError};
 use crate::state::Contact;
 use crate::theory::{self, Exact};
@@ -85,15 +88,49 @@ impl<'a> Witness<'a> {
     ///
     /// # Errors
     ///
-    /// Those of [`certify`].
+    /// Those of [`certify`]; of forces only if the beam needs an elastic foundation to be held.
     pub fn judge(&self, judged: Judged<'_>, own: &[Contact]) -> Result<Certificate, SceneError> {
         let found = self.found(judged.places());
         let proven = found.and_then(|found| self.proof.get_or_init(|| found.proof(self.scene)).as_ref());
+        if let Judged::Forces(forces) = judged
+            && self.is_bent_in_theory()
+        {
+            let caused = Caused::of(self.scene, forces)?;
+            let curve = caused.map_or_else(Vec::new, |caused| caused.curve);
+            return match proven {
+                Some(proof) => Ok(proof.judge_curve(&curve)),
+                None if self.scene.ground_stiffness().is_some() => {
+                    Ok(Proof::of_stretches(self.scene, &[])?.judge_curve(&curve))
+                }
+                None => Ok(Proof::of(self.scene, own)?.judge_curve(&curve)),
+            };
+        }
         match proven {
             Some(proof) => Ok(proof.judge(judged)),
             None if self.scene.ground_stiffness().is_some() => Ok(Proof::of_stretches(self.scene, &[])?.judge(judged)),
             None => certify(self.scene, judged, own),
         }
+    }
+
+    /// What contact forces violate, as [`certificate::violations`](crate::certificate::violations) has it: on any beam.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Self::judge`].
+    pub fn violations(&self, forces: &ContactLoad) -> Result<Vec<Violation>, SceneError> {
+        if !self.is_bent_in_theory() {
+            return violations(self.scene, forces);
+        }
+        let Some(caused) = Caused::of(self.scene, forces)? else { return violations_by(self.scene, forces, Some(&[])) };
+        let mut found = violations_by(self.scene, forces, Some(&caused.curve))?;
+        found.extend(caused.violations);
+        found.sort_by(|a, b| b.relative.total_cmp(&a.relative));
+        Ok(found)
+    }
+
+    /// Whether forces bend the beam in a way that statics does not say.
+    fn is_bent_in_theory(&self) -> bool {
+        self.scene.bends_under_forces("").is_err()
     }
 
     /// The contacts of theory as a start for the active set, if a survey has points between the nodes of a `coarser` grid.

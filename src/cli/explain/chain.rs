@@ -29,7 +29,14 @@ const FORMULAS: [[&str; 2]; 4] = [
 /// All of a chain.
 pub(super) fn text(chain: &Chain, labels: &Labels, form: Explained) -> String {
     let page = Page { chain, labels, form };
-    page.nodes() + &page.links() + &page.formulas() + &page.slopes() + &page.forces()
+    page.tension()
+        + &page.nodes()
+        + &page.links()
+        + &page.formulas()
+        + &page.slopes()
+        + &page.joints()
+        + &super::laws(&chain.laws, labels, form)
+        + &page.forces()
 }
 
 /// A chain that is written.
@@ -51,6 +58,16 @@ impl Page<'_> {
 
     fn table(&self, title: &str, header: &[&str], rows: &[Row]) -> String {
         tabled(self.form, title, header, rows)
+    }
+
+    fn tension(&self) -> String {
+        match self.chain.tension {
+            0.0 => String::new(),
+            tension => format!(
+                "\nUnder the axial force N = {} V is the vertical force: the shear force and N v'.\n",
+                self.number(tension)
+            ),
+        }
     }
 
     fn nodes(&self) -> String {
@@ -81,9 +98,13 @@ impl Page<'_> {
 
     fn links(&self) -> String {
         let row = |(i, link): (usize, &Link)| {
-            let Link { length, pressed, stretch, bend, spring, slopes, shears } = *link;
+            let Link { length, pressed, lies, stretch, bend, spring, slopes, shears } = *link;
             let numbers = [length].into_iter().chain([stretch, bend, spring, slopes, shears].into_iter().flatten());
-            let kind = if pressed { "pressed" } else { "free" };
+            let kind = match (pressed, lies) {
+                (_, true) => "along it",
+                (true, _) => "pressed",
+                _ => "free",
+            };
             let names = [(i + 1).to_string(), (i + 2).to_string(), kind.to_owned()];
             names.into_iter().chain(numbers.map(|value| self.number(value))).collect::<Row>()
         };
@@ -150,6 +171,20 @@ impl Page<'_> {
         self.table("Slopes, by the link to the left and by that to the right", &header, &rows)
             + "\nv' left = v' right, and both are the slope that a support holds. "
             + &self.holds(0, |node| self.chain.slopes(node))
+    }
+
+    /// What joints turn by.
+    fn joints(&self) -> String {
+        let joints = self.chain.nodes.iter().enumerate().filter_map(|(i, node)| Some((i + 1, node, node.joint?)));
+        let line = |(i, node, k): (usize, &ChainNode, f64)| match k {
+            0.0 => format!("\nNode {i} is a hinge: M = 0, and v' has two values.\n"),
+            _ => {
+                let turned = [node.moments[0], k, node.moments[0] / k].map(|value| self.number(value));
+                let [moment, k, turned] = turned;
+                format!("\nNode {i} is a joint: v' left - v' right = M/k = {moment} / {k} = {turned}.\n")
+            }
+        };
+        joints.map(line).collect()
     }
 
     fn forces(&self) -> String {

@@ -97,9 +97,9 @@ struct Between {
 impl Between {
     /// What a solution on one side adds to the equations on the other.
     #[inline]
-    fn across(self, [y, x]: [f64; 2]) -> [f64; 2] {
+    fn across<const SPRINGS: bool>(self, [y, x]: [f64; 2]) -> [f64; 2] {
         let [c, off, sigma] = self.entries;
-        [sigma * y + c * x, c * y - off * x]
+        [if SPRINGS { sigma * y + c * x } else { c * x }, c * y - off * x]
     }
 }
 
@@ -121,9 +121,9 @@ impl Block {
 
     /// Eliminates the row towards another.
     #[inline]
-    fn eliminate(&mut self, carried: Carried, theta: f64, between: Between) -> Carried {
+    fn eliminate<const SPRINGS: bool>(&mut self, carried: Carried, theta: f64, between: Between) -> Carried {
         let k = between.turning;
-        if 0.0 < k {
+        if SPRINGS && 0.0 < k {
             (self.h, self.g) = (carried.e + self.eta, carried.g + self.w);
             self.inverse = 1.0 / (1.0 + k * self.g);
             let (Carried { a, .. }, e) = (carried, self.h);
@@ -133,9 +133,13 @@ impl Block {
         self.pivot(carried, theta, c);
         let e = carried.e + self.eta;
         let (scaled, turned) = (c * self.inverse, sigma * self.inverse);
+        let [of_a, of_e] = match SPRINGS {
+            true => [turned * (2.0 * c * self.h - self.g * sigma), turned * (c * self.g + self.h * off)],
+            false => [0.0; 2],
+        };
         Carried {
-            a: c * scaled * self.a + turned * (2.0 * c * self.h - self.g * sigma),
-            e: scaled * (self.a * (self.g + off) + self.h * e) + turned * (c * self.g + self.h * off),
+            a: c * scaled * self.a + of_a,
+            e: scaled * (self.a * (self.g + off) + self.h * e) + of_e,
             g: scaled * (c * self.g + 2.0 * self.h * off) - self.a * off * off * self.inverse,
         }
     }
@@ -148,23 +152,23 @@ impl Block {
 
     /// Sets what its equations without the next row say, and returns what that adds there.
     #[inline]
-    fn forwards(&mut self, [y1, y2]: [f64; 2], between: Between) -> [f64; 2] {
-        if 0.0 < between.turning {
+    fn forwards<const SPRINGS: bool>(&mut self, [y1, y2]: [f64; 2], between: Between) -> [f64; 2] {
+        if SPRINGS && 0.0 < between.turning {
             self.step = [0.0, y2];
             return [between.turning * self.inverse * self.h * y2 - y1, -(self.inverse * y2)];
         }
         self.step = self.solved([y1, y2]);
-        between.across(self.step)
+        between.across::<SPRINGS>(self.step)
     }
 
     /// Corrects that for the solution of the next row.
     #[inline]
-    fn backwards(&mut self, next: [f64; 2], between: Between) -> [f64; 2] {
-        if 0.0 < between.turning {
+    fn backwards<const SPRINGS: bool>(&mut self, next: [f64; 2], between: Between) -> [f64; 2] {
+        if SPRINGS && 0.0 < between.turning {
             let [y, x] = next;
             self.step = [y, self.inverse * x - between.turning * self.inverse * (self.h * y + self.step[1])];
         } else {
-            let [more_y, more_x] = self.solved(between.across(next));
+            let [more_y, more_x] = self.solved(between.across::<SPRINGS>(next));
             self.step = [self.step[0] - more_y, self.step[1] - more_x];
         }
         self.step
@@ -178,6 +182,17 @@ pub(crate) fn factor<R: AsMut<Block>>(rows: &mut [R], ratio: impl Fn(&R) -> f64)
     factor_towards(rows, last, ratio);
 }
 
+/// The same with the same digits where no row has `σ`, `η` or a spring against turning.
+#[inline]
+pub(crate) fn factor_rigid<R: AsMut<Block>>(rows: &mut [R], ratio: impl Fn(&R) -> f64) {
+    let mut carried = Carried::default();
+    for row in rows {
+        let theta = ratio(row);
+        let row = row.as_mut();
+        carried = row.eliminate::<false>(carried, theta, row.beside());
+    }
+}
+
 /// Factors the matrix from both ends towards a row: where a row has an infinite `w`, a hinge, elimination must not begin on the side on
 /// which statics alone says what is there, and which could move without the rest.
 #[inline]
@@ -187,13 +202,13 @@ pub(crate) fn factor_towards<R: AsMut<Block>>(rows: &mut [R], meeting: usize, ra
     for row in left {
         let theta = ratio(row);
         let row = row.as_mut();
-        from_left = row.eliminate(from_left, theta, row.beside());
+        from_left = row.eliminate::<true>(from_left, theta, row.beside());
     }
     let mut from_right = Carried::default();
     for i in (1..right.len()).rev() {
         let theta = ratio(&right[i]);
         let between = right[i - 1].as_mut().beside();
-        from_right = right[i].as_mut().eliminate(from_right, theta, between);
+        from_right = right[i].as_mut().eliminate::<true>(from_right, theta, between);
     }
     let Some(row) = right.first_mut() else { return };
     let theta = ratio(row);
@@ -219,7 +234,7 @@ pub(crate) fn factor_under_tension<R: AsMut<Block>>(
     // `a` without `n`.
     let eliminate = |row: &mut Block, carried: Carried, theta: f64, between: Between, left: f64| {
         if 0.0 < between.turning {
-            return row.eliminate(carried, theta, between);
+            return row.eliminate::<true>(carried, theta, between);
         }
         let [c, off, sigma] = between.entries;
         let (b, e, n) = (carried.a + theta, carried.e + row.eta, -sigma);
@@ -257,6 +272,22 @@ pub(crate) fn solve<R: AsMut<Block>>(rows: &mut [R], right: impl Fn(&R) -> [f64;
     solve_towards(rows, last, right);
 }
 
+/// The same with factors of [`factor_rigid`].
+#[inline]
+pub(crate) fn solve_rigid<R: AsMut<Block>>(rows: &mut [R], right: impl Fn(&R) -> [f64; 2]) {
+    let mut carried = [0.0; 2];
+    for row in rows.iter_mut() {
+        let [r1, r2] = right(row);
+        let row = row.as_mut();
+        carried = row.forwards::<false>([r1 - carried[0], r2 - carried[1]], row.beside());
+    }
+    let mut next = [0.0; 2];
+    for row in rows.iter_mut().rev() {
+        let row = row.as_mut();
+        next = row.backwards::<false>(next, row.beside());
+    }
+}
+
 /// The same with factors towards a row.
 #[inline]
 pub(crate) fn solve_towards<R: AsMut<Block>>(rows: &mut [R], meeting: usize, right: impl Fn(&R) -> [f64; 2]) {
@@ -266,13 +297,13 @@ pub(crate) fn solve_towards<R: AsMut<Block>>(rows: &mut [R], meeting: usize, rig
     for row in before.iter_mut() {
         let rest = less(right(row), from_left);
         let row = row.as_mut();
-        from_left = row.forwards(rest, row.beside());
+        from_left = row.forwards::<true>(rest, row.beside());
     }
     let mut from_right = [0.0; 2];
     for i in (1..behind.len()).rev() {
         let rest = less(right(&behind[i]), from_right);
         let between = behind[i - 1].as_mut().beside();
-        from_right = behind[i].as_mut().forwards(rest, between);
+        from_right = behind[i].as_mut().forwards::<true>(rest, between);
     }
     let Some(middle) = behind.first_mut() else { return };
     let rest = less(less(right(middle), from_left), from_right);
@@ -281,11 +312,11 @@ pub(crate) fn solve_towards<R: AsMut<Block>>(rows: &mut [R], meeting: usize, rig
     let (mut next, step) = (middle.step, middle.step);
     for row in before.iter_mut().rev() {
         let row = row.as_mut();
-        next = row.backwards(next, row.beside());
+        next = row.backwards::<true>(next, row.beside());
     }
     let mut next = step;
     for i in 1..behind.len() {
         let between = behind[i - 1].as_mut().beside();
-        next = behind[i].as_mut().backwards(next, between);
+        next = behind[i].as_mut().backwards::<true>(next, between);
     }
 }

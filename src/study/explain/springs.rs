@@ -1,4 +1,4 @@
-//! The equations of a beam on an elastic foundation: a chain of links, each with the deflections `v` and the moments `M` of its two ends.
+//! The equations of a beam on an elastic foundation, or under an axial force `N`: a chain of links, each with the deflections `v` and the moments `M` of its two ends.
 //!
 //! Nodes are the supports, the ends of what is pressed, the point loads and couples, the ends of distributed loads, the points of a polyline below
 //! what is pressed, and so many between that no pressed link is longer than `1/λ`, `4 λ⁴ = k/EI`. On a link
@@ -16,10 +16,20 @@
 //! c = W₁/D,    η = (W₁ (W₀ − 1) + K W₂ W₃)/D,    w = (W₁ W₂ − W₀ W₃)/D EI,    ω = W₃/D EI,    a = (k EI) w,    σ = (k EI) ω
 //! ```
 //!
+//! Under an axial force no link off rigid ground is longer than `1/μ`, `μ² = |N|/EI`, and `H = V + N v'` takes the place of `V`. With the `W_m`
+//! of `EI v'''' − N v'' + k v = 0`, `n = N/EI` and `W₃'' = W₁ + n W₃`
+//!
+//! ```text
+//! D = W₁ W₃'' + K W₃²,   c = W₃''/D,   η = (W₃'' (W₀ − 1) + K W₂ W₃)/D,   a = (k EI) w + N (c + η),   σ = (k EI) ω − N c
+//! ```
+//!
+//! and a link along rigid ground has the slopes `s` and the forces `t` of the ground.
+//!
 //! `s` and `t` are the slopes and the shear forces of a link whose ends have neither deflection nor moment. At every node `v'` is the same
-//! on both sides, or the slope that a support holds, and `V_right − V_left = R − P`.
+//! on both sides, or the slope that a support holds, and `V_right − V_left = R − P`. In a joint it is less on the right by `M/k`; in a hinge
+//! `M = 0`. What supports that give exert is in module `laws`; one against turning makes `M` jump.
 
-use super::{SAME, What, has_lifted};
+use super::{Law, SAME, What, has_lifted};
 use crate::scene::{Foundation, Scene};
 use crate::theory::Exact;
 use crate::theory::gauss::Gauss;
@@ -41,6 +51,8 @@ pub struct ChainNode {
     pub load: f64,
     /// The force of the support there, upwards on the beam \[force\].
     pub force: f64,
+    /// The stiffness of a joint there, zero of a hinge \[force · length\].
+    pub joint: Option<f64>,
 }
 
 /// The beam between two neighbouring nodes.
@@ -50,6 +62,8 @@ pub struct Link {
     pub length: f64,
     /// Whether the foundation presses.
     pub pressed: bool,
+    /// Whether it lies along rigid ground.
+    pub lies: bool,
     /// `c` and `η` \[1/length\].
     pub stretch: [f64; 2],
     /// `w` and `ω` \[1/(force · length)\].
@@ -96,21 +110,31 @@ pub struct Chain {
     pub links: Vec<Link>,
     /// Where supports are off which the beam has lifted: no nodes \[length\].
     pub lifted: Vec<f64>,
+    /// Those of supports that give, from left to right.
+    pub laws: Vec<Law>,
+    /// `N`: under it `V` is `H` \[force\].
+    pub tension: f64,
 }
 
 impl Chain {
-    /// Of an exact answer of its scene; [`None`] if its foundation does not give.
+    /// Of an exact answer of its scene; [`None`] if its foundation does not give and no axial force acts on the beam.
     #[must_use]
     pub fn of(scene: &Scene, exact: &Exact) -> Option<Self> {
-        scene.ground_stiffness()?;
+        let tension = scene.beam().tension();
+        (scene.ground_stiffness().is_some() || tension != 0.0).then_some(())?;
         let nodes = nodes(scene, exact);
         let is_pressed = |x: f64| exact.state.contacts.iter().any(|contact| contact.from < x && x < contact.to);
         let link = |pair: &[ChainNode]| {
             let ends = [pair[0].x, pair[1].x];
+            if exact.is_rigid() && is_pressed(0.5 * (ends[0] + ends[1])) {
+                return Link::along(exact, ends, tension);
+            }
             Link::of(scene, ends, if is_pressed(0.5 * (ends[0] + ends[1])) { stiffness(scene, ends) } else { 0.0 })
         };
         let lifted = exact.state.supports.iter().filter(|support| has_lifted(support)).map(|support| support.at);
-        Some(Self { links: nodes.windows(2).map(link).collect(), lifted: lifted.collect(), nodes })
+        let places: Vec<f64> = nodes.iter().map(|node| node.x).collect();
+        let laws = Law::all(scene, exact, &places);
+        Some(Self { links: nodes.windows(2).map(link).collect(), lifted: lifted.collect(), laws, nodes, tension })
     }
 
     /// `v'` at a node by the link to its left and by that to its right.
@@ -139,13 +163,19 @@ impl Chain {
         })
     }
 
-    /// What `v'` on both sides, and the given one, and what the forces at a node differ by.
+    /// What `v'` on both sides, and the given one, and what the forces at a node differ by; in a joint but for what it turns by.
     #[must_use]
     pub fn residuals(&self, node: usize) -> [f64; 2] {
         let ([left, right], [before, behind]) = (self.slopes(node), self.shears(node));
         let at = &self.nodes[node];
         let sum = |parts: Option<Parts>| parts.map(|parts| parts.sum());
-        let known = [sum(left), sum(right), at.slope];
+        let right = match at.joint {
+            // A hinge turns by what it has to.
+            Some(k) if k <= 0.0 => sum(left),
+            Some(k) => sum(right).map(|slope| slope + at.moments[0] / k),
+            None => sum(right),
+        };
+        let known = [sum(left), right, at.slope];
         let apart = |a: Option<f64>, b: Option<f64>| a.zip(b).map_or(0.0, |(a, b)| (a - b).abs());
         let turned = apart(known[0], known[1]).max(apart(known[0], known[2])).max(apart(known[1], known[2]));
         let [before, behind] = [before, behind].map(|side| sum(side).unwrap_or(0.0));
@@ -168,11 +198,12 @@ impl Link {
     fn of(scene: &Scene, [from, to]: [f64; 2], stiffness: f64) -> Self {
         /// Exact to rounding for loads and waves over `1/λ`.
         const DEGREE: usize = 29;
-        let (length, bending) = (to - from, scene.beam().bending_stiffness());
-        let k = stiffness / bending;
-        let [w0, w1, w2, w3] = [0, 1, 2, 3].map(|m| wave(m, k, length));
-        let less = -k * wave(4, k, length);
-        let d = w1 * w1 + k * w3 * w3;
+        let (length, bending) = (to - from, scene.beam().stiffness_between(from, to));
+        let tension = scene.beam().tension();
+        let law @ [n, k] = [tension / bending, stiffness / bending];
+        let [w0, w1, w2, w3] = [0, 1, 2, 3].map(|m| wave(m, law, length));
+        let (less, bent) = (-k * wave(4, law, length), w1 + n * w3);
+        let d = w1 * bent + k * w3 * w3;
         let (w, omega) = ((w1 * w2 - w0 * w3) / d, w3 / d);
         let own = |x: f64| scene.beam().shape().map_or(0.0, |shape| shape.depth(x));
         let ground = |x: f64| if 0.0 < stiffness { k * (scene.depth(x) - own(x)) } else { 0.0 };
@@ -180,34 +211,53 @@ impl Link {
         let mut begun = [0.0; 4];
         for (x, weight) in Gauss::exact_to(DEGREE).points(from, to) {
             let acts = weight * (intensity(scene, x) / bending + ground(x));
-            (0..4).for_each(|m| begun[m] += acts * wave(3 - u32::try_from(m).unwrap_or(0), k, to - x));
+            let [w0, w1, w2, w3] = [0, 1, 2, 3].map(|m| wave(m, law, to - x));
+            let grown = [w3, w2, w1 + n * w3, w0 + n * w2];
+            begun.iter_mut().zip(grown).for_each(|(sum, grown)| *sum += acts * grown);
         }
-        let turn = (w3 * begun[2] - w1 * begun[0]) / d;
+        let turn = (w3 * begun[2] - bent * begun[0]) / d;
         let shear = (w1 * begun[2] + k * w3 * begun[0]) / d;
+        let (stretch, slopes) =
+            ([bent / d, (bent * less + k * w2 * w3) / d], [turn, turn * w0 - shear * w2 + begun[1]]);
+        let far = k * w2 * turn + (w0 + n * w2) * shear - begun[3];
         Self {
             length,
             pressed: 0.0 < stiffness,
-            stretch: [w1 / d, (w1 * less + k * w2 * w3) / d],
+            lies: false,
+            stretch,
             bend: [w / bending, omega / bending],
-            spring: [stiffness * w, stiffness * omega],
-            slopes: [turn, turn * w0 - shear * w2 + begun[1]],
-            shears: [bending * shear, bending * (k * w2 * turn + w0 * shear - begun[3])],
+            spring: [stiffness * w + tension * (stretch[0] + stretch[1]), stiffness * omega - tension * stretch[0]],
+            slopes,
+            shears: [bending * shear + tension * slopes[0], bending * far + tension * slopes[1]],
         }
+    }
+
+    /// Along rigid ground.
+    fn along(exact: &Exact, [from, to]: [f64; 2], tension: f64) -> Self {
+        // In a hinge at an end the slope is that beside it.
+        let slopes = [from.next_up(), to.next_down()].map(|x| exact.slope(x));
+        let shears = [exact.shear(from)[1] + tension * slopes[0], exact.shear(to)[0] + tension * slopes[1]];
+        let none = [0.0; 2];
+        Self { length: to - from, pressed: true, lies: true, stretch: none, bend: none, spring: none, slopes, shears }
     }
 }
 
-/// `W_m`, over no more than `1/λ`.
-fn wave(m: u32, k: f64, length: f64) -> f64 {
+/// `W_m` of `v'''' = n v'' − K v`, over no more than `1/λ` and `1/μ`.
+fn wave(m: usize, [n, k]: [f64; 2], length: f64) -> f64 {
     /// Terms: over `1/λ` the next one is less than `4⁷/28!` of the first.
-    const TERMS: u32 = 7;
-    let first = (1..=m).fold(1.0, |product, n| product * length / f64::from(n));
-    let next =
-        |term: &f64, r: u32| (4 * r + m - 3..=4 * r + m).fold(-k * term, |product, n| product * length / f64::from(n));
-    let terms = (1..=TERMS).scan(first, |term, r| {
-        *term = next(term, r);
-        Some(*term)
-    });
-    first + terms.sum::<f64>()
+    const TERMS: usize = 28;
+    /// Powers of the length: those of the terms from any first one.
+    const MOST: usize = 4 + TERMS + 1;
+    let over: [f64; MOST] = std::array::from_fn(|i| length / f64::from(u32::try_from(i.max(1)).unwrap_or(1)));
+    let mut terms = [0.0; MOST];
+    terms[m] = over[1..=m].iter().product();
+    for i in m + 1..=m + TERMS {
+        let before = |back: usize| i.checked_sub(back).map_or(0.0, |i| terms[i]);
+        let times = |factor: f64, back: usize| over[i + 1 - back..=i].iter().fold(factor, |product, by| product * by);
+        // Derivatives up to the third are given.
+        terms[i] = if i < 4 { 0.0 } else { times(-k * before(4), 4) + times(n * before(2), 2) };
+    }
+    terms[m] + terms[m + 1..].iter().sum::<f64>()
 }
 
 /// The distributed load at a place inside a link.
@@ -223,50 +273,69 @@ fn stiffness(scene: &Scene, [from, to]: [f64; 2]) -> f64 {
 
 fn nodes(scene: &Scene, exact: &Exact) -> Vec<ChainNode> {
     let (state, length, load) = (&exact.state, scene.beam().length(), scene.load());
-    let mut found: Vec<(f64, What, f64)> = Vec::new();
-    for support in state.supports.iter().filter(|support| !has_lifted(support)) {
-        let what = if support.moment.is_some() { What::BuiltIn } else { What::Support };
-        found.push((support.at, what, support.force));
-    }
-    found.extend([0.0, length].map(|end| (end, What::End, 0.0)));
-    found.extend(state.contacts.iter().flat_map(|c| [c.from, c.to]).map(|x| (x, What::ZoneEnd, 0.0)));
-    found.extend(load.concentrated().map(|acts| (acts.at, What::Load, 0.0)));
-    found.extend(load.linear().iter().flat_map(|q| [q.from, q.to]).map(|x| (x, What::Load, 0.0)));
     let is_pressed = |x: f64| state.contacts.iter().any(|contact| contact.from < x && x < contact.to);
-    found.extend(scene.ground_changes().filter(|x| is_pressed(*x)).map(|x| (x, What::Corner, 0.0)));
+    let mut found: Vec<(f64, What, f64, bool)> = Vec::new();
+    if exact.is_rigid() {
+        found.extend(super::found(scene, exact));
+    }
+    for support in state.supports.iter().filter(|support| !exact.is_rigid() && !has_lifted(support)) {
+        let what = What::of_support(scene, support);
+        found.push((support.at, what, support.force, what == What::BuiltIn));
+    }
+    let ends = [0.0, length].map(|end| (end, What::End));
+    let zones = state.contacts.iter().flat_map(|c| [c.from, c.to]).map(|x| (x, What::ZoneEnd));
+    let joints = scene.beam().joints().iter().map(|joint| (joint.at, What::Joint));
+    let steps = scene.beam().changes().map(|x| (x, What::Step));
+    let loads = load.concentrated().map(|acts| acts.at).chain(load.linear().iter().flat_map(|q| [q.from, q.to]));
+    let others = ends.into_iter().chain(zones).chain(joints).chain(steps).chain(loads.map(|x| (x, What::Load)));
+    // In a zone on rigid ground nothing is asked.
+    let others = others.filter(|(x, _)| !(exact.is_rigid() && is_pressed(*x)));
+    found.extend(others.map(|(x, what)| (x, what, 0.0, false)));
+    let sunk = |x: &f64| !exact.is_rigid() && is_pressed(*x);
+    found.extend(scene.ground_changes().filter(sunk).map(|x| (x, What::Corner, 0.0, false)));
     for profile in scene.foundation().into_iter().chain(scene.beam().shape()) {
         let Foundation::Polyline { points } = profile else { continue };
-        found.extend(points.iter().map(|p| p[0]).filter(|x| is_pressed(*x)).map(|x| (x, What::Corner, 0.0)));
+        found.extend(points.iter().map(|p| p[0]).filter(sunk).map(|x| (x, What::Corner, 0.0, false)));
     }
     // Stable: of several at one place the first says what it is.
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
     found.dedup_by(|next, kept| {
         let same = (next.0 - kept.0).abs() <= SAME * length;
-        if same && kept.1 != What::BuiltIn && matches!(next.1, What::Support | What::BuiltIn) {
+        if same && kept.1 != What::BuiltIn && matches!(next.1, What::Support | What::BuiltIn | What::Spring) {
             *kept = *next;
         }
         same
     });
-    let mut all: Vec<(f64, What, f64)> = Vec::new();
+    let mut all: Vec<(f64, What, f64, bool)> = Vec::new();
     for pair in found.windows(2) {
         let [from, to] = [pair[0].0, pair[1].0];
-        let decay = (0.25 * stiffness(scene, [from, to]) / scene.beam().bending_stiffness()).sqrt().sqrt();
-        let parts = if is_pressed(0.5 * (from + to)) { ((to - from) * decay).ceil().max(1.0) } else { 1.0 };
+        let bending = scene.beam().stiffness_between(from, to);
+        let decay = (0.25 * stiffness(scene, [from, to]) / bending).sqrt().sqrt();
+        let pulled = (scene.beam().tension().abs() / bending).sqrt();
+        let shortest = match (is_pressed(0.5 * (from + to)), exact.is_rigid()) {
+            (true, true) => 0.0,
+            (true, false) => decay.max(pulled),
+            (false, _) => pulled,
+        };
+        let parts = ((to - from) * shortest).ceil().max(1.0);
         let inside = (1_u32..).map(f64::from).take_while(|k| *k < parts);
         all.push(pair[0]);
-        all.extend(inside.map(|k| (from + (to - from) * (k / parts), What::Between, 0.0)));
+        all.extend(inside.map(|k| (from + (to - from) * (k / parts), What::Between, 0.0, false)));
     }
     all.extend(found.last());
-    let node = |(x, what, force): (f64, What, f64)| {
+    let node = |(x, what, force, follows): (f64, What, f64, bool)| {
         let here = load.point().iter().filter(|load| (load.at - x).abs() <= SAME * length);
+        let joint = scene.beam().joints().iter().find(|joint| (joint.at - x).abs() <= SAME * length);
         ChainNode {
             what,
             x,
             deflection: exact.deflection(x),
-            slope: (what == What::BuiltIn).then(|| exact.slope(x)),
+            // In a joint it has two values.
+            slope: (follows && joint.is_none()).then(|| exact.slope(x)),
             moments: exact.moments(x),
             load: here.map(|load| load.force).sum(),
             force,
+            joint: joint.map(|joint| joint.stiffness.unwrap_or(0.0)),
         }
     };
     all.into_iter().map(node).collect()

@@ -42,7 +42,7 @@ mod train;
 mod until;
 
 use crate::route::Solution;
-use crate::scene::{PathError, Quantity, Scene, SceneError, shown};
+use crate::scene::{PathError, Quantity, Scene, SceneError, Unstable, shown};
 use crate::theory::{self, Exact, Pattern, TheoryError};
 use crate::verdict::Demand;
 
@@ -104,6 +104,15 @@ pub enum SweepError {
         /// Why.
         error: TheoryError,
     },
+}
+
+impl SweepError {
+    /// Whether there is no answer for a value because the beam buckles.
+    #[must_use]
+    pub fn buckles(&self) -> bool {
+        let Self::Invalid { error: TheoryError::Scene(error), .. } = self else { return false };
+        matches!(error, SceneError::Unstable(Unstable::Buckles { .. }))
+    }
 }
 
 fn from(border: f64, value: f64) -> String {
@@ -229,7 +238,7 @@ impl<'a> Sweep<'a> {
         for value in self.values() {
             match walk.solve(value) {
                 Ok(step) => rows.push(walk.row(step)),
-                Err(_) if !rows.is_empty() && self.buckles(value) => break,
+                Err(error) if !rows.is_empty() && error.buckles() => break,
                 Err(error) => return Err(error),
             }
         }

@@ -10,14 +10,24 @@ use super::{List, Node};
 
 impl List {
     /// The spans and overhangs from left to right, each with the number of nodes to its left; one that is divided by its parts.
-    pub(in crate::theory) fn spans(&self, given: &PiecewiseScene) -> impl Iterator<Item = (usize, Span)> {
+    pub(in crate::theory) fn spans(&self, given: &PiecewiseScene) -> Vec<(usize, Span)> {
+        let mut spans = Vec::with_capacity(self.nodes.len() + 1);
+        self.each_span(given, |i, span| spans.push((i, *span)));
+        spans
+    }
+
+    /// The same one by one: a list may have hundreds of thousands.
+    pub(in crate::theory) fn each_span(&self, given: &PiecewiseScene, mut visit: impl FnMut(usize, &Span)) {
         let n = self.nodes.len();
-        let with = |parts: Option<Parts>, i: usize| parts.into_iter().flatten().map(move |span| (i, span));
-        let left = with(self.outer(given, true), 0);
-        let right = with(self.outer(given, false).filter(|_| 0 < n), n);
-        let between = (1..n).filter(|&i| !self.in_zone_before(i));
-        let between = between.flat_map(move |i| self.span(given, i).into_iter().map(move |span| (i, span)));
-        left.chain(between).chain(right)
+        if let Some(parts) = self.outer(given, true) {
+            parts.iter().for_each(|span| visit(0, span));
+        }
+        for i in (1..n).filter(|&i| !self.in_zone_before(i)) {
+            self.span(given, i).iter().for_each(|span| visit(i, span));
+        }
+        if let Some(parts) = self.outer(given, false).filter(|_| 0 < n) {
+            parts.iter().for_each(|span| visit(n, span));
+        }
     }
 
     /// On which sides of node `i` nothing holds the beam, so that statics say its moment there.

@@ -27,7 +27,7 @@ pub(in crate::theory) struct AtSpring {
 impl PiecewiseScene {
     /// True if no support gives.
     pub(in crate::theory) fn is_firm(&self) -> bool {
-        self.springs.is_empty() && self.supports.iter().all(|support| support.turning.is_none())
+        self.springs.is_empty() && !self.turns
     }
 
     /// The supports that give and act, from left to right.
@@ -51,6 +51,9 @@ impl PiecewiseScene {
 
     /// The spring against turning at breakpoint `i`: its stiffness, and the slope without moment.
     pub(in crate::theory) fn turning_at(&self, i: usize) -> Option<[f64; 2]> {
+        if !self.turns {
+            return None;
+        }
         match self.support_at(i) {
             Some(support) => self.supports[support].turning,
             None => self.spring_at(i)?.turning,

@@ -37,9 +37,6 @@ impl Exact {
         scene: &Scene,
         asked: Vec<Asked>,
     ) -> Vec<Derivative> {
-        if !self.given.is_firm() || self.given.tension != 0.0 {
-            return Vec::new();
-        }
         let ties = self.has_ties(scene);
         let by = |asked: Asked| {
             let is_alike = |other: &Scene| standing(scene).eq(standing(other));
@@ -124,7 +121,7 @@ impl Exact {
         }
         changed.shapes.fill(Shape::Line { origin: 0.0, depth, slope: 0.0 });
         for at in &mut changed.breakpoints {
-            (at.force, at.step, at.kink) = (loads * at.force, 0.0, 0.0);
+            (at.force, at.couple, at.step, at.kink) = (loads * at.force, loads * at.couple, 0.0, 0.0);
         }
         for support in &mut changed.supports {
             let is_it = matches!(of, Change::Level(at) if at == support.breakpoint);

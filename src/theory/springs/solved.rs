@@ -52,7 +52,7 @@ impl Solved<'_> {
         let mut parts = Vec::new();
         for (i, link) in self.beam.links.iter().enumerate() {
             match self.course(i)? {
-                Course::Hangs(spans) => spans.into_iter().for_each(|span| self.hanging(&span, &mut parts)),
+                Course::Hangs(spans) => spans.iter().for_each(|span| self.hanging(span, &mut parts)),
                 Course::Pressed([h, deflection]) => {
                     let penetration = h.into_iter().map(|c| -c).collect();
                     let piece = Piece::of_part([link.lo, link.hi], link.lo, link.cells[0]);
@@ -103,13 +103,13 @@ impl Solved<'_> {
                 }
                 Course::Pressed(_) => return None,
             };
-            for span in spans {
+            for span in spans.iter() {
                 if !(span.beam_a[0] + span.beam_a[3] + span.beam_b[0] + span.beam_b[3]).is_finite() {
                     return None;
                 }
                 let rounding = ROUNDING * span.beam_a[0].abs().max(span.beam_b[0].abs());
                 pieces.clear();
-                pieces_of(given, &span, &mut pieces);
+                pieces_of(given, span, &mut pieces);
                 for piece in &pieces {
                     by_blocks(given, piece, 0, |part| {
                         if 1 < part.count() {

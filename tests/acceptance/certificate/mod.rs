@@ -1,5 +1,6 @@
 //! Two-sided bounds: what is guaranteed holds, whoever computed the forces, and it is worth having.
 
+mod bent;
 mod brackets;
 mod closed;
 mod conditions;

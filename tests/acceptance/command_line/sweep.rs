@@ -76,6 +76,30 @@ fn a_sweep_that_is_stopped_says_where_and_fails() {
     assert!(reason.contains("the work that one sweep may take is done"), "{reason}");
 }
 
+/// A strut of `π² EI/l² = 2.96`: where it buckles is an event, and the sweep is whole, in both directions; one that never bears its compression has
+/// no row.
+#[test]
+fn a_sweep_ends_where_the_beam_buckles() {
+    let folder = Folder::new("sweep_buckles");
+    let beam = "[beam]\nlength = 10.0\nbending_stiffness = 30.0\ntension = -1.0\n[load]\nuniform = 1.0\n";
+    folder.write("strut.toml", format!("{beam}[foundation]\ndepth = 9.0\n"));
+    let at = -0.3 * std::f64::consts::PI * std::f64::consts::PI;
+    for (from, to, what) in [(-1.0, -4.0, "the beam buckles"), (-4.0, -1.0, "the beam no longer buckles")] {
+        let command = format!("sweep strut.toml --vary beam.tension --from {from} --to {to} --steps 13");
+        let (code, text, object) = folder.json(&command);
+        assert!(code == Some(0) && object.get("stopped").is_none(), "{text}");
+        assert_eq!(object["rows"].as_array().map(Vec::len), Some(8), "-1, -1.25, … -2.75");
+        let events = object["events"].as_array().expect("a list");
+        let buckles = events.iter().find(|event| event["what"] == what).unwrap_or_else(|| panic!("{events:?}"));
+        assert!((buckles["value"].as_f64().expect("a number") - at).abs() < 1e-10, "{events:?}");
+        let run = folder.run(&command);
+        assert!(run.code == Some(0) && run.out.contains("8 of 8 answers"), "{}", run.out);
+        assert!(run.out.contains("for 5 more values, which have no answer"), "{}", run.out);
+    }
+    let run = folder.run("sweep strut.toml --vary beam.tension --from -3 --to -4 --steps 3");
+    assert!(run.code == Some(2) && run.err.contains("buckles"), "{}", run.err);
+}
+
 /// A range with values without an answer, at its end, at its beginning, or at both: the rows that there are are printed, the same ones and
 /// with the same events in both directions, with the reason; if there is none, that is an error.
 #[test]

@@ -1,6 +1,6 @@
 //! Derivatives of exact answers beside differences of answers.
 
-use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Quantity, Scene, Support};
+use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Quantity, Scene, Support, file};
 use palkki::theory::{self, By, Missing};
 use palkki_evidence::differences::Trial;
 use palkki_evidence::draft::{Draft, Units};
@@ -339,4 +339,45 @@ fn of_many_supports_derivatives_are_those_of_differences() {
     trial.compare("many supports", &scene);
     assert!(trial.wrong.is_empty(), "{}", trial.wrong.join("\n"));
     assert!(400 < trial.both && trial.one == 2 && trial.none == 0, "{trial:?}");
+}
+
+/// Supports that give, joints, steps, couples and axial forces, above rigid ground and on elastic foundations: derivatives by all of their numbers
+/// are those of differences, on the sides that are said.
+#[test]
+fn derivatives_of_general_beams_are_those_of_differences() {
+    let mut trial = Trial::default();
+    for (i, on_soil) in (0..random::sample_of(60_u64)).flat_map(|i| [(i, false), (i, true)]) {
+        let general = random::general(i, &random::Feature::ALL, on_soil);
+        let scene = file::parse("scene.toml", &general.text, |_| unreachable!("no survey")).expect("a scene");
+        trial.compare(&format!("{i}, {on_soil}\n{}", general.text), &scene);
+    }
+    assert!(trial.wrong.is_empty(), "{}", trial.wrong.join("\n"));
+    let Trial { both, one, none, alone, .. } = trial;
+    let all = both + one + none + alone;
+    assert!(random::sample_of(600) < both && 9 * all <= 10 * both, "{both} of {all}");
+}
+
+/// A bearing `k` below the middle of a beam: `R = k f/(1 + k c)` with `f = 5 q l⁴/384 EI` and `c = l³/48 EI`.
+#[test]
+fn the_force_of_a_bearing_by_its_stiffness() {
+    let (length, stiffness, q, k) = (12.0, 40.0, 3.0, 5.0);
+    let held = [Support::simple(0.0), Support::spring(0.5 * length, k), Support::simple(length)];
+    let scene = on_supports([length, stiffness], &held, (q, &[]), None);
+    let exact = theory::solve(&scene).expect("an answer");
+    let cube = length * length * length;
+    let (free, soft) = (5.0 * q * cube * length / (384.0 * stiffness), 1.0 + k * cube / (48.0 * stiffness));
+    // By the level, a deflection as much as `f` is.
+    let expected = [
+        (Quantity::SupportStiffness(1), free / soft / soft),
+        (Quantity::SupportLevel(1), -k / soft),
+        (Quantity::Uniform, k * free / soft / q),
+        (Quantity::BendingStiffness, -k * free / soft / soft / stiffness),
+    ];
+    let all = exact.derivatives(&scene);
+    for (quantity, expected) in expected {
+        let derivative = all.iter().find(|derivative| derivative.by == By::Number(quantity)).expect("of this number");
+        let found = derivative.supports[1];
+        assert!((found - expected).abs() <= 1e-8 * expected.abs(), "{quantity}: {found} for {expected}");
+        assert!(!derivative.one_sided && derivative.missing.is_none(), "{derivative:?}");
+    }
 }

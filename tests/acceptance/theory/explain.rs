@@ -1,10 +1,10 @@
 //! The equations of an explanation hold for the moments of the exact answer, and are those of a textbook.
 
 use palkki::explain::{Chain, ChainNode, Explanation, Parts, What};
-use palkki::scene::{Beam, CoupleLoad, Foundation, LinearLoad, Load, Scene, Support};
+use palkki::scene::{Beam, CoupleLoad, Foundation, LinearLoad, Load, Scene, Support, file};
 use palkki::theory;
 use palkki_evidence::hostile;
-use palkki_evidence::random::{Random, sample_of};
+use palkki_evidence::random::{Feature, Random, general, sample_of};
 
 use super::settled::pipe;
 use crate::scenes::on_supports;
@@ -69,12 +69,11 @@ fn shear_forces_stand_at_their_nodes() {
 /// Every equation of random scenes with supports, own shapes, points and zones holds; there are as many as unknowns, and statics hold.
 #[test]
 fn equations_of_random_scenes_hold() {
-    let (mut equations, mut kinds) = (0, [0; 10]);
+    let (mut equations, mut kinds, mut laws) = (0, [0; 11], 0);
     for seed in hostile::seeds(0..1500) {
         let Ok(scene) = hostile::draft(seed).scene() else { continue };
         // `explain` refuses these, and has the equations of an elastic foundation in another form.
-        let is_rigid = scene.is_firm("explain").and_then(|()| scene.has_no_tension("explain"));
-        if is_rigid.and_then(|()| scene.on_rigid_ground("explain")).is_err() {
+        if scene.has_no_tension("explain").and_then(|()| scene.on_rigid_ground("explain")).is_err() {
             continue;
         }
         let Ok(exact) = theory::solve(&scene) else { continue };
@@ -87,6 +86,7 @@ fn equations_of_random_scenes_hold() {
             What::Tip,
             What::Support,
             What::BuiltIn,
+            What::Spring,
             What::Corner,
             What::Point,
             What::ZoneEnd,
@@ -118,6 +118,12 @@ fn equations_of_random_scenes_hold() {
                 assert!(off.iter().all(|off| off.abs() <= rounding), "{seed}: {node:?} {span:?} {off:?}");
             }
         }
+        for law in &found.laws {
+            let (unit, size) = if law.turning { (scene.beam().length(), 1.0) } else { (1.0, deepest) };
+            let rounding = 1e-9 * (forces * unit).max(largest) + 1e-12 * law.stiffness * size.max(law.without.abs());
+            assert!((law.says() - law.exerts).abs() <= rounding, "{seed}: {law:?}");
+            laws += 1;
+        }
         for overhang in &found.overhangs {
             let root = &found.nodes[overhang.root];
             let side = usize::from(overhang.root < overhang.tip);
@@ -136,7 +142,8 @@ fn equations_of_random_scenes_hold() {
             equations += 1;
         }
     }
-    assert!(1000 < equations && kinds[..7].iter().all(|count| 20 < *count) && 0 < kinds[7], "{equations}, {kinds:?}");
+    let enough = 1000 < equations && 50 < laws && kinds[..8].iter().all(|count| 20 < *count) && 0 < kinds[8];
+    assert!(enough, "{equations}, {laws}, {kinds:?}");
 }
 
 /// A pipe in soil, two of three with one or two couples.
@@ -192,6 +199,103 @@ fn the_links_of_a_chain_meet_at_every_node() {
     assert!(sample_of(200) < 2 * turned, "only {turned} couples");
     let rigid = on_supports([6.0, 40.0], &[Support::simple(0.0), Support::simple(6.0)], (3.0, &[]), None);
     assert!(Chain::of(&rigid, &theory::solve(&rigid).expect("an answer")).is_none());
+}
+
+/// So they do with steps, joints, hinges and supports that give, of which each exerts what its law says; and under an axial force, half of the
+/// times compression, on rigid ground too.
+#[test]
+fn the_links_of_a_general_beam_meet_at_every_node() {
+    /// As above.
+    const LEFT: f64 = 1e-8;
+    let (mut laws, mut joints, mut tense) = (0, 0, 0);
+    for (i, on_soil) in (0..sample_of(300_u64)).flat_map(|i| [(i, false), (i, true)]) {
+        let sign = if i.is_multiple_of(2) { "-0.01" } else { "" };
+        let text = general(i, &Feature::ALL, on_soil).text.replace("tension = ", &format!("tension = {sign}"));
+        let Ok(scene) = file::parse("scene.toml", &text, |_| unreachable!("no survey")) else { continue };
+        if !on_soil && scene.beam().tension() == 0.0 {
+            continue;
+        }
+        let exact = theory::solve(&scene).expect("an answer");
+        if !exact.solved {
+            continue;
+        }
+        let chain = Chain::of(&scene, &exact).expect("a chain");
+        tense += usize::from(!on_soil);
+        let sizes = |of: &dyn Fn(usize) -> [Option<Parts>; 2]| -> f64 {
+            let all = (0..chain.nodes.len()).flat_map(of).flatten();
+            all.fold(0.0, |most: f64, parts| most.max(parts.size()))
+        };
+        let sizes = [sizes(&|node| chain.slopes(node)), sizes(&|node| chain.shears(node))];
+        for node in 0..chain.nodes.len() {
+            let off = chain.residuals(node);
+            let close = [0, 1].map(|kind| off[kind] <= LEFT * sizes[kind]);
+            assert_eq!(close, [true; 2], "{i}, node {node}: {off:?} of {sizes:?}\n{text}\n{chain:#?}");
+        }
+        let hinges = chain.nodes.iter().filter(|node| node.joint == Some(0.0));
+        let most = chain.nodes.iter().fold(0.0, |most: f64, node| most.max(node.moments[0].abs()));
+        assert!(
+            hinges.into_iter().all(|hinge| hinge.moments[0].abs() <= 1e-9 * most.max(sizes[1] * scene.beam().length())),
+            "{i}\n{text}"
+        );
+        joints += chain.nodes.iter().filter(|node| node.joint.is_some()).count();
+        for law in &chain.laws {
+            // Rigid ground may give the deflection.
+            let Some(node) = law.node.map(|node| &chain.nodes[node]) else { continue };
+            let turned = node.moments[1] - node.moments[0];
+            let acts = scene.load().couple().iter().filter(|couple| (couple.at - law.x).abs() <= 1e-12);
+            let own = if law.turning { turned - acts.map(|couple| couple.moment).sum::<f64>() } else { node.force };
+            // Beyond an end there is no moment.
+            let end = law.x <= 0.0 || scene.beam().length() <= law.x;
+            let size = if law.turning { sizes[1] * scene.beam().length() } else { sizes[1] };
+            let is_one = law.turning && end || (law.says() - own).abs() <= LEFT * size;
+            assert!(is_one && (law.says() - law.exerts).abs() <= LEFT * size, "{i}: {law:?} of {node:?}\n{text}");
+            laws += 1;
+        }
+    }
+    let enough = sample_of(100) < laws && sample_of(60) < joints && sample_of(30) < tense;
+    assert!(enough, "{laws} laws, {joints} joints, {tense} under an axial force");
+}
+
+/// Two spans on a bearing `k` in the middle: `R = k v` and `v = (5 q l⁴/384 EI)/(1 + k l³/48 EI)` over the whole length `l`.
+#[test]
+fn an_elastic_bearing_has_the_law_of_the_textbook() {
+    let (length, stiffness, q, k) = (12.0, 40.0, 3.0, 5.0);
+    let held = [Support::simple(0.0), Support::spring(0.5 * length, k), Support::simple(length)];
+    let scene = on_supports([length, stiffness], &held, (q, &[]), None);
+    let found = Explanation::of(&scene, &theory::solve(&scene).expect("an answer"));
+    let cube = length * length * length;
+    let deflection = 5.0 * q * cube * length / (384.0 * stiffness) / (1.0 + k * cube / (48.0 * stiffness));
+    let [law] = found.laws[..] else { panic!("{:?}", found.laws) };
+    let close = |a: f64, b: f64| (a - b).abs() <= 1e-11 * b.abs();
+    assert!(law.node == Some(1) && close(law.now, deflection) && close(law.exerts, k * deflection), "{law:?}");
+    let [equation] = &found.equations[..] else { panic!("{:?}", found.equations) };
+    // M in the middle by statics, from the bearing alone.
+    let moment = q * length * length / 8.0 - 0.25 * k * deflection * length;
+    assert!(close(found.nodes[1].moments[0], moment) && found.residual(equation).abs() <= 1e-9 * found.size(equation));
+}
+
+/// A rope with stiffness: `w = (u coth u − 1)/(N ℓ)` and `ω = (1 − u/sinh u)/(N ℓ)` with `u² = N ℓ²/EI`, of links of equal length; those of a strut
+/// have the cotangent.
+#[test]
+fn a_link_under_an_axial_force_has_its_hyperbolic_functions() {
+    for tension in [5.0_f64, -1.5] {
+        let beam = format!("length = 6.0\nbending_stiffness = 40.0\ntension = {tension}");
+        let text = format!("[beam]\n{beam}\n[load]\nuniform = 3.0\n");
+        let scene = file::parse("scene.toml", &text, |_| unreachable!("no survey")).expect("a scene");
+        let chain = Chain::of(&scene, &theory::solve(&scene).expect("an answer")).expect("an axial force");
+        for link in &chain.links {
+            let u = link.length * (tension.abs() / 40.0).sqrt();
+            let over = tension.abs() * link.length;
+            let expected = match 0.0 < tension {
+                true => [(u / u.tanh() - 1.0) / over, (1.0 - u / u.sinh()) / over],
+                false => [(1.0 - u / u.tan()) / over, (u / u.sin() - 1.0) / over],
+            };
+            for (found, expected) in link.bend.into_iter().zip(expected) {
+                assert!((found - expected).abs() <= 1e-12 * expected, "{found} for {expected} under {tension}");
+            }
+            assert!((link.spring[0] - tension / link.length).abs() <= 1e-12 * tension.abs(), "{link:?}");
+        }
+    }
 }
 
 /// Without a foundation a link has the terms of the equation of three moments: `c = 1/L`, `w = L/3EI`, `ω = L/6EI`, `s = q L³/24 EI` and

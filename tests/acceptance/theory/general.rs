@@ -372,17 +372,3 @@ fn what_is_no_general_beam_is_refused() {
         }
     }
 }
-
-/// What cannot compute it yet refuses it, instead of computing another beam.
-#[test]
-fn steps_and_joints_on_springs_are_refused() {
-    for beam in [
-        "bending_stiffness = { steps = [[0, 1.3], [5, 2.6]] }",
-        "bending_stiffness = 1.3\njoints = [{ at = 5.0, stiffness = 2.0 }]",
-    ] {
-        let scene =
-            scene(&format!("[beam]\nlength = 10.0\n{beam}\n[load]\nuniform = 1.0\n[foundation]\ndepth = 1.0\n"));
-        let exact = palkki::theory::solve(&scene).expect("an answer");
-        assert!(exact.derivatives(&scene).is_empty());
-    }
-}

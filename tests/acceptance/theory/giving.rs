@@ -294,12 +294,3 @@ fn springs_hold_a_beam() {
         assert!(read(&beam(supports, UNIFORM)).expect("a scene").beam().is_held(), "{supports}");
     }
 }
-
-/// There are no derivatives yet.
-#[test]
-fn supports_that_give_have_no_derivatives() {
-    let supports = "{ at = 0, turning_stiffness = 2.0 }, { at = 5, stiffness = 2.0 }, { at = 10 }";
-    let scene = read(&beam(supports, "[load]\nuniform = 1.0\n[foundation]\ndepth = 1.0\n")).expect("a scene");
-    let exact = palkki::theory::solve(&scene).expect("an answer");
-    assert!(exact.derivatives(&scene).is_empty());
-}

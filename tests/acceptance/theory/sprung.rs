@@ -114,12 +114,13 @@ fn random_beams_on_springs_and_on_ground_are_certified() {
     assert!(200 * lost.len() <= drawn.len(), "{} of {}: {lost:#?}", lost.len(), drawn.len());
 }
 
-/// A stiffness in steps is several numbers: there is no derivative by one of them, but by loads and depth.
+/// A stiffness in steps is several numbers: each of those of the beam has its derivative, and those of the foundation are left out.
 #[test]
-fn derivatives_by_a_stiffness_in_steps_are_left_out() {
+fn each_step_of_a_stiffness_has_its_derivative() {
     let given = Given::lying(12.0, &[[0.0, 4.0], [5.0, 9.0]], &[[0.0, 90.0], [4.0, 50.0]], 2.0);
     let exact = given.solved().exact.expect("functions");
     let by: Vec<String> =
         exact.derivatives(&given.scene().expect("a scene")).iter().map(|d| d.by.to_string()).collect();
-    assert_eq!(by, ["depth", "load.uniform"]);
+    let steps = [0, 1].map(|i| palkki::scene::Quantity::StepStiffness(i).to_string());
+    assert_eq!(by, ["depth", "load.uniform", &steps[0], &steps[1]]);
 }

@@ -107,6 +107,16 @@ impl Difference<'_> {
                 let deflection = &self.exact.state.deflection;
                 deflection.max.abs().max(deflection.min.abs()).max(1e-9)
             }
+            By::Number(Quantity::CoupleMoment(_)) => load * length,
+            By::Number(Quantity::Tension) => {
+                self.scene.beam().tension().abs().max(self.scene.beam().bending_stiffness() / length / length)
+            }
+            By::Number(
+                quantity @ (Quantity::StepStiffness(_)
+                | Quantity::JointStiffness(_)
+                | Quantity::SupportStiffness(_)
+                | Quantity::SupportTurningStiffness(_)),
+            ) => self.scene.number(quantity).unwrap_or(f64::NAN),
             By::Number(_) => length,
         }
     }

@@ -6,7 +6,7 @@
 //! the answers beside it. [`draft`] is a scene as numbers,
 //! [`compare`] the difference of two lists, [`brackets`] asks whether numbers lie between what is proven of them, [`observables`] what of an answer is compared, [`random`] has numbers and scenes from a fixed seed, and [`hostile`] runs of the whole
 //! program on random and adversarial ones. [`practice`] has beams of engineers, and their answers by finite elements. [`sweeps`] compares the events of random
-//! sweeps. [`bodies`] and [`slab`] have elastic bodies that are no beam. [`exchanges`] and [`libraries`] have what is hard for a solver, [`texts`] says what
+//! sweeps. [`bodies`] and [`slab`] have elastic bodies that are no beam. [`soil`] has a pipe on surveyed soil, and elements for it. [`exchanges`] and [`libraries`] have what is hard for a solver, [`texts`] says what
 //! holds for any text that is read, and [`numdiff`] compares texts as printed numbers.
 
 #![cfg(feature = "full")]
@@ -32,5 +32,6 @@ pub mod paper;
 pub mod practice;
 pub mod random;
 pub mod slab;
+pub mod soil;
 pub mod sweeps;
 pub mod texts;

@@ -4,7 +4,7 @@
 //! it is there. Results of another machine, compiler or dependency are not mixed: the file says where it comes from, and
 //! `--fresh` starts it again. `--only TEXT` measures what has the text in its line, `scene,route,intervals,tolerance`; with
 //! `--fresh` it measures that again and keeps the rest. `--only "points of"` measures the surveys, `--only population` the errors on
-//! the population, which has a file of its own and no times.
+//! the population, which has a file of its own and no times, and `--only soil` the surveys on soil, which have one as well.
 
 pub(crate) mod advice;
 mod instruments;
@@ -14,6 +14,7 @@ pub(crate) mod plan;
 pub(crate) mod population;
 mod process;
 mod references;
+pub(crate) mod soil;
 
 use std::path::Path;
 
@@ -40,7 +41,10 @@ pub(crate) fn run(root: &Path, wish: &Wish) -> Result<(), Cause> {
         tell(population::NAME);
         population::run(root)?;
     }
-    if wish.only == population::NAME {
+    if soil::NAME.contains(&wish.only) {
+        soil::run(root)?;
+    }
+    if [population::NAME, soil::NAME].contains(&wish.only.as_str()) {
         return Ok(());
     }
     let wanted = |name: &str| name.contains(&wish.only);

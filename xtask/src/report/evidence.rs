@@ -24,6 +24,7 @@ mod provenance;
 mod referee;
 mod scale;
 mod scene_file;
+mod soil;
 mod stability;
 mod stiff;
 mod sweeps;
@@ -101,6 +102,7 @@ const SUBJECTS: &[Subject] = &[
     ("recommendation", paper::claims::recommendation),
     ("cost", cost::evidence),
     ("scale", scale::evidence),
+    ("soil", soil::evidence),
     ("conditioning", stability::conditioning::evidence),
     ("extremes", stability::extremes::evidence),
     ("hostile", stability::hostile::evidence),

@@ -22,6 +22,7 @@ usage: cargo xtask <task>
   measure          what accuracy costs, route by route: times go to report/data/measurements.csv; goes on where it stopped
   measure --fresh  begins that file again
   measure --only TEXT      what has TEXT in its line scene,route,intervals,tolerance; with --fresh: that again
+  measure --only soil      surveys on soil, beside finite elements: into report/data/soil-surveys.csv
   measure --only 'points of'   the surveys: time over their points, and time and memory of the whole program
   mutants          small changes of the code, which some test ought to notice: into target/mutants; --sample N, --seed N, --only PATH, --again, --test NAME
   fuzz             look for texts that break the parsers, guided by coverage; --runs N

@@ -14,8 +14,8 @@ use crate::certificate::kernel::polynomial::number;
 use crate::certificate::kernel::reference::{Datum, Line};
 
 impl OnSprings<'_> {
-    /// Lines through groups of pressed parts and supports: each with the next one and with the one behind it.
-    pub(super) fn held_by_groups(&self, sums: &Sums, gap: f64) -> Vec<Line> {
+    /// The groups from left to right.
+    fn groups<'a>(&self, sums: &'a Sums) -> Vec<Vec<&'a Carrier>> {
         let mut groups: Vec<Vec<&Carrier>> = Vec::new();
         for carrier in sums.carriers.iter().filter(|carrier| 0.0 < carrier.sunk) {
             match groups.last_mut() {
@@ -28,12 +28,31 @@ impl OnSprings<'_> {
                 _ => groups.push(vec![carrier]),
             }
         }
+        groups
+    }
+
+    /// Lines through the strongest parts of neighbouring groups, of those parts that are pressed whatever a pair with this gap leaves open;
+    /// [`None`] where supports hold the beam, or hinges part it.
+    pub(super) fn neighbours(&self, sums: &Sums, gap: f64) -> Option<Vec<Line>> {
+        let is_whole = self.enclosed.supports.is_empty() && self.is_one([0.0, self.enclosed.length]);
+        let strongest = |group: Vec<&Carrier>| {
+            let pressed = group.into_iter().filter(|part| uncertainty(gap, part.stiffness) < part.sunk);
+            let place = pressed.max_by(|a, b| a.place.presses.total_cmp(&b.place.presses))?.place;
+            (0.0 < place.presses).then_some(place)
+        };
+        let places: Vec<Datum> = is_whole.then(|| self.groups(sums))?.into_iter().filter_map(strongest).collect();
+        let lines = places.windows(2).map(|w| Line(w[0], w[1])).filter(|Line(a, b)| a.to < b.from);
+        Some(lines.collect())
+    }
+
+    /// Lines through groups of pressed parts and supports: each with the next one and with the one behind it.
+    pub(super) fn held_by_groups(&self, sums: &Sums, gap: f64) -> Vec<Line> {
         // Beyond a hinge a line says nothing.
         let within = |place: Datum| {
             let reach = self.reach([place.from, place.to])?;
             Some(Datum { reach, ..place })
         };
-        let mut places: Vec<Datum> = groups.into_iter().filter_map(|group| known_in(group, gap)).collect();
+        let mut places: Vec<Datum> = self.groups(sums).into_iter().filter_map(|group| known_in(group, gap)).collect();
         places.extend(self.supports(sums).into_iter().filter(|place| place.presses.is_infinite()));
         let mut places: Vec<Datum> = places.into_iter().filter_map(within).collect();
         places.sort_by(|a, b| a.from.total_cmp(&b.from));

@@ -55,11 +55,29 @@ impl OnSprings<'_> {
 
     /// The gap, at least the share of what is cut off that one place takes, and what holds the beam: its supports, or pressed parts.
     pub(super) fn held(&self, sums: &Sums) -> Option<(f64, Interval, Vec<Line>)> {
-        let enclosed = self.enclosed;
+        let far = self.held_by(sums, self.far_apart(sums))?;
+        if sums.cut_off.pulls.is_empty() {
+            return Some(far);
+        }
+        // Parts beside what pulls carry it with less bending.
+        let near = self.neighbours(sums, far.0).and_then(|lines| self.held_by(sums, lines));
+        Some(near.filter(|near| near.0 < far.0).unwrap_or(far))
+    }
+
+    /// Lines through supports, or through the two pressed parts that are worth most.
+    fn far_apart(&self, sums: &Sums) -> Vec<Line> {
         let pressing = sums.carriers.iter().map(|c| c.place).filter(|place| 0.0 < place.presses);
         let mut places: Vec<Datum> = pressing.chain(self.supports(sums)).collect();
-        let fixed = enclosed.supports.iter().filter(|s| s.slope.is_some()).map(|s| s.x);
-        let lines = lines(enclosed, fixed, &mut places);
+        let fixed = self.enclosed.supports.iter().filter(|s| s.slope.is_some()).map(|s| s.x);
+        lines(self.enclosed, fixed, &mut places)
+    }
+
+    /// The same as [`OnSprings::held`], with the lines that carry what is cut off.
+    ///
+    /// A pull of the share `s` takes `s c` of `√∫(Δp)²/k` at a part that costs `c`; all pulls together, each on one line, take no more than
+    /// the sum of their shares on the line that costs most.
+    fn held_by(&self, sums: &Sums, lines: Vec<Line>) -> Option<(f64, Interval, Vec<Line>)> {
+        let enclosed = self.enclosed;
         let [moment, share] = sums.cut_off.carried(&lines, enclosed.stiffness, enclosed.soft());
         let same = |a: f64, b: f64| a.total_cmp(&b).is_eq();
         let carrier = |at: &Datum| {
@@ -67,8 +85,9 @@ impl OnSprings<'_> {
             let here = sums.carriers[first..].iter().take_while(|c| same(c.place.from, at.from));
             here.filter(|_| at.presses.is_finite()).find(|c| same(c.place.to, at.to))
         };
-        let cost = |place: &Datum| carrier(place).map_or(Interval::ZERO, |carrier| share * carrier.cost);
-        let changed = lines.iter().fold(Interval::ZERO, |sum, Line(a, b)| sum + cost(a) + cost(b));
+        let cost = |place: &Datum| carrier(place).map_or(Interval::ZERO, |carrier| carrier.cost);
+        let costs = lines.iter().map(|Line(a, b)| (cost(a) + cost(b)).hi());
+        let changed = share * Interval::exact(costs.fold(0.0, f64::max));
         let gap = (sums.square.sqrt() + moment + sums.pull.sqrt() + changed).square() / number(2);
         let steady = Interval::exact(enclosed.steadiness());
         (0.0 < steady.lo()).then_some(())?;

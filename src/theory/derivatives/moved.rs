@@ -1,0 +1,202 @@
+//! Derivatives of a general beam, with supports that give, joints, steps or an axial force: differences of answers in scenes beside its own.
+//!
+//! On rigid ground these keep the contacts and the pressed stops of the answer, whether they meet their conditions there or not: numbers that are
+//! smooth functions of the number of the scene. On an elastic foundation they are the answers there. With `f_k` at `k` steps `h`
+//!
+//! ```text
+//! f' = (45 (f₁ − f₋₁) − 9 (f₂ − f₋₂) + (f₃ − f₋₃))/60h + O(h⁶)         (8 (f₁ − f₋₁) − (f₂ − f₋₂))/12h + O(h⁴)
+//! f' = ±(−25 f₀ + 48 f₁ − 36 f₂ + 16 f₃ − 3 f₄)/12h + O(h⁴)           on one side
+//! ```
+//!
+//! Of several steps the one counts of which the first two differ least. A derivative holds on both sides where both last ones are the same and the
+//! answer goes on.
+
+use super::{By, ContactDerivative, Derivative, Missing};
+use crate::scene::{Quantity, Scene};
+use crate::theory::asked::{Asked, NOTHING, is_next_to};
+use crate::theory::check::check;
+use crate::theory::exact::Exact;
+use crate::theory::giving::wrong;
+use crate::theory::newton;
+use crate::theory::piecewise::PiecewiseScene;
+use crate::theory::search::Candidate;
+use crate::theory::sensitivity::Change;
+use crate::theory::solve::solve_near;
+
+/// Steps over a change that means nothing: of a number they are shares of 1e-2 to 1e-5.
+const STEPS: [f64; 4] = [1e5, 1e4, 1e3, 1e2];
+
+/// Answers that a derivative takes.
+pub(super) const ANSWERS: usize = 2 + 9 * STEPS.len();
+
+/// A difference of the derivatives on both sides by this share of them, or by [`ROUNDING`] of the largest of their kind, is one of differences.
+const SAME: f64 = 1e-4;
+
+/// A share of the largest number of its kind over the size of what is varied.
+const ROUNDING: f64 = 1e-6;
+
+/// Derivatives from the left, from both sides and from the right, as far as there are any.
+struct Sides([Option<Vec<f64>>; 3]);
+
+impl Exact {
+    /// The derivative that is asked for, of a scene whose contacts are kept.
+    pub(super) fn moved_derivative(&self, scene: &Scene, asked: Asked, lies: bool) -> Derivative {
+        let goes_on = if lies || asked.moves_at_zone(self) { [false; 2] } else { self.goes_on_beside(scene, asked) };
+        let sizes = self.sizes();
+        let Sides([left, both, right]) = self.differences(scene, asked, &sizes);
+        let own = asked.least / NOTHING;
+        let same = |a: &[f64], b: &[f64]| {
+            a.iter().zip(b).zip(&sizes).all(|((a, b), size)| {
+                a.is_nan() && b.is_nan() || (a - b).abs() <= SAME * (a.abs() + b.abs()) + ROUNDING * size / own
+            })
+        };
+        let is_smooth = left.as_ref().zip(right.as_ref()).is_some_and(|(left, right)| same(left, right));
+        let (numbers, one_sided) = match goes_on {
+            [true, true] if is_smooth => (both, false),
+            [false, false] => (None, true),
+            [true, false] => (left, true),
+            _ => (right, true),
+        };
+        let missing = numbers.is_none().then_some(Missing::Ends);
+        self.of_numbers(asked.by, &numbers.unwrap_or_else(|| vec![f64::NAN; sizes.len()]), one_sided, missing)
+    }
+
+    /// On which sides of a scene this answer goes on, as the number falls and as it grows.
+    fn goes_on_beside(&self, scene: &Scene, asked: Asked) -> [bool; 2] {
+        [-asked.least, asked.least].map(|step| {
+            let there = asked.moved(scene, step).and_then(|there| self.kept_in(&there));
+            there.is_some_and(|(there, holds)| holds && is_next_to(self, &there, scene.beam().length()))
+        })
+    }
+
+    /// This answer with its contacts and its pressed stops in another scene, and whether they meet their conditions there.
+    fn kept_in(&self, scene: &Scene) -> Option<(Self, bool)> {
+        if self.springs.is_some() {
+            let there = solve_near(scene, &[self]).ok().filter(|there| there.solved)?;
+            return Some((there, true));
+        }
+        let scaled = scene.scaled().ok()?;
+        let acts = self.acting();
+        let given = PiecewiseScene::with(&scaled.scene, |i| acts.get(i).copied().unwrap_or(true));
+        let mut list = self.list_in(&given, &scaled.scale)?;
+        newton::solve(&given, &mut list).converged.then_some(())?;
+        let checked = check(&given, &list);
+        let holds = checked.faults.is_empty() && wrong(&given, &checked).is_empty();
+        let found = Candidate { list, checked, steps: 0, lists: 1, samples: 0, converged: true };
+        Some((Self::new(given, found, scaled.scale, scaled.scene.beam().bending_stiffness()), holds))
+    }
+
+    /// The numbers that are differentiated: supports, contacts of the list, energy.
+    fn numbers(&self) -> Vec<f64> {
+        let supports = self.state.supports.iter().map(|support| support.force);
+        let contacts = self.listed.iter().flat_map(|contact| {
+            let [left, right] = contact.end_forces.unwrap_or([f64::NAN; 2]);
+            [contact.from, contact.to, contact.force, left, right]
+        });
+        supports.chain(contacts).chain([self.state.energy]).collect()
+    }
+
+    /// The largest of each kind.
+    fn sizes(&self) -> Vec<f64> {
+        let forces = self.state.supports.iter().map(|support| support.force.abs());
+        let force = forces.fold(self.given.total_load * self.stiffness * self.scale.force, f64::max);
+        let length = self.given.length * self.scale.length;
+        let supports = self.state.supports.iter().map(|_| force);
+        let contacts = self.listed.iter().flat_map(|_| [length, length, force, force, force]);
+        supports.chain(contacts).chain([self.state.energy.abs()]).collect()
+    }
+
+    /// By differences, of the step of which they are known best.
+    fn differences(&self, scene: &Scene, asked: Asked, sizes: &[f64]) -> Sides {
+        let at = |step: f64| {
+            let there = asked.moved(scene, step)?;
+            let (there, _) = self.kept_in(&there)?;
+            let numbers = there.numbers();
+            let kinds = |of: &[f64]| of.iter().map(|number| number.is_nan()).collect::<Vec<_>>();
+            (kinds(&numbers) == kinds(&self.numbers())).then_some(numbers)
+        };
+        let mut best: [(f64, Option<Vec<f64>>); 3] = [const { (f64::INFINITY, None) }; 3];
+        let here = self.numbers();
+        for h in STEPS.map(|steps| steps * asked.least) {
+            let of = |sign: f64| [1.0, 2.0, 3.0, 4.0].map(|k| at(sign * k * h));
+            let [left, right] = [of(-1.0), of(1.0)];
+            let mut keep = |side: usize, found: Option<[Vec<f64>; 2]>| {
+                let Some([fine, coarse]) = found else { return };
+                let off = fine.iter().zip(&coarse).zip(sizes);
+                let off = off.map(|((a, b), size)| (a - b).abs() / size).filter(|off| off.is_finite());
+                let off = off.fold(0.0, f64::max);
+                if off < best[side].0 {
+                    best[side] = (off, Some(fine));
+                }
+            };
+            keep(0, one_sided(&here, &left, -h));
+            keep(2, one_sided(&here, &right, h));
+            keep(1, central(&left, &right, h));
+        }
+        Sides(best.map(|(_, found)| found))
+    }
+
+    /// With its parts from a list of numbers.
+    fn of_numbers(&self, by: By, numbers: &[f64], one_sided: bool, missing: Option<Missing>) -> Derivative {
+        let (supports, rest) = numbers.split_at(self.state.supports.len());
+        let contact = |(of, five): (&crate::state::Contact, &[f64])| ContactDerivative {
+            from: five[0],
+            to: five[1],
+            force: five[2],
+            end_forces: of.end_forces.map(|_| [five[3], five[4]]),
+        };
+        let contacts: Vec<_> = self.listed.iter().zip(rest.chunks_exact(5)).map(contact).collect();
+        let energy = rest.last().copied().unwrap_or(f64::NAN);
+        let contacts = self.of_pressing(&contacts);
+        Derivative { by, one_sided, missing, supports: supports.to_vec(), contacts, energy }
+    }
+
+    /// What is asked of a general beam besides: the numbers of what it has.
+    pub(super) fn asked_besides(&self, scene: &Scene) -> Vec<Asked> {
+        let beam = scene.beam();
+        let (length, bending) = (beam.length(), beam.bending_stiffness());
+        let asked = |quantity, size: f64| {
+            let change = [Change::Uniform(0.0); 2];
+            Asked { by: By::Number(quantity), change, unit: 1.0, least: NOTHING * size }
+        };
+        let force = self.given.total_load * self.stiffness * self.scale.force;
+        let mut all = Vec::new();
+        let steps = beam.steps().iter().enumerate();
+        all.extend(steps.map(|(i, step)| asked(Quantity::StepStiffness(i), step[1])));
+        let joints = beam.joints().iter().enumerate();
+        all.extend(joints.filter_map(|(i, joint)| Some(asked(Quantity::JointStiffness(i), joint.stiffness?))));
+        for (i, support) in beam.supports_as_given().iter().enumerate() {
+            all.extend(support.stiffness.map(|k| asked(Quantity::SupportStiffness(i), k)));
+            all.extend(support.turning_stiffness.map(|k| asked(Quantity::SupportTurningStiffness(i), k)));
+        }
+        let couples = 0..scene.load().couple().len();
+        all.extend(couples.map(|i| asked(Quantity::CoupleMoment(i), force * length)));
+        let pull = beam.tension().abs().max(bending / length / length);
+        all.extend((beam.tension() != 0.0).then(|| asked(Quantity::Tension, pull)));
+        all
+    }
+}
+
+/// Of the fourth and of the second order from one side.
+fn one_sided(here: &[f64], beside: &[Option<Vec<f64>>; 4], h: f64) -> Option<[Vec<f64>; 2]> {
+    let [one, two, three, four] = beside.each_ref().map(Option::as_ref);
+    let (one, two, three, four) = (one?, two?, three?, four?);
+    let all = 0..here.len();
+    let fine =
+        |n: usize| (-25.0 * here[n] + 48.0 * one[n] - 36.0 * two[n] + 16.0 * three[n] - 3.0 * four[n]) / (12.0 * h);
+    let coarse = |n: usize| (-11.0 * here[n] + 18.0 * one[n] - 9.0 * two[n] + 2.0 * three[n]) / (6.0 * h);
+    Some([all.clone().map(fine).collect(), all.map(coarse).collect()])
+}
+
+/// Of the sixth and of the fourth order from both sides.
+fn central(left: &[Option<Vec<f64>>; 4], right: &[Option<Vec<f64>>; 4], h: f64) -> Option<[Vec<f64>; 2]> {
+    let apart = |k: usize| {
+        let (left, right) = (left[k].as_ref()?, right[k].as_ref()?);
+        Some(right.iter().zip(left).map(|(right, left)| right - left).collect::<Vec<f64>>())
+    };
+    let [one, two, three] = [apart(0)?, apart(1)?, apart(2)?];
+    let all = 0..one.len();
+    let fine = |n: usize| (45.0 * one[n] - 9.0 * two[n] + three[n]) / (60.0 * h);
+    let coarse = |n: usize| (8.0 * one[n] - two[n]) / (12.0 * h);
+    Some([all.clone().map(fine).collect(), all.map(coarse).collect()])
+}

@@ -1,0 +1,244 @@
+//! Contact forces on beams of which statics does not say how they bend: the bound beside finite elements, which share nothing with the
+//! library, and beside closed forms.
+
+use palkki::certificate::{Certificate, ContactLoad, Judged, ViolationKind};
+use palkki::route::Status;
+use palkki::scene::{Scene, file};
+use palkki::theory::Exact;
+use palkki::verdict::Verdict;
+use palkki::{Witness, theory};
+use palkki_evidence::elements::{Found, reference};
+use palkki_evidence::random::{Feature, Random, general, sample_of};
+
+fn parsed(text: &str) -> Option<Scene> {
+    file::parse("scene.toml", text, |_| unreachable!("no survey")).ok()
+}
+
+/// Places and forces.
+type Rows = Vec<(f64, f64)>;
+
+#[track_caller]
+fn read(text: &str) -> Scene {
+    parsed(text).unwrap_or_else(|| panic!("a scene\n{text}"))
+}
+
+/// Bounds and violations of forces.
+#[track_caller]
+fn judged(scene: &Scene, forces: &[(f64, f64)]) -> (Certificate, Vec<(ViolationKind, f64)>) {
+    let load = ContactLoad::new(scene.beam().length(), forces.iter().copied()).expect("forces");
+    let witness = Witness::of(scene);
+    let found = witness.violations(&load).expect("a scene");
+    let kinds = found.iter().map(|violation| (violation.kind, violation.relative));
+    (witness.judge(Judged::Forces(&load), &[]).expect("a scene"), kinds.collect())
+}
+
+/// The forces of an exact answer, the pressure of zones in so many parts.
+fn forces_of(exact: &Exact, parts: u32) -> Vec<(f64, f64)> {
+    let mut rows: Vec<(f64, f64)> = exact.forces_inside_zones().collect();
+    for contact in &exact.state.contacts {
+        let Some(ends) = contact.end_forces.filter(|_| contact.from < contact.to) else {
+            rows.push((contact.from, contact.force));
+            continue;
+        };
+        rows.extend([(contact.from, ends[0]), (contact.to, ends[1])]);
+        let part = (contact.to - contact.from) / f64::from(parts);
+        let places = (0..parts).map(|k| contact.from + part * (f64::from(k) + 0.5));
+        rows.extend(places.map(|x| (x, part * exact.pressure(x))));
+    }
+    rows.into_iter().filter(|row| 0.0 < row.1).collect()
+}
+
+/// Equal nodes with the pressure of an elastic foundation on their shares of the beam.
+fn shares_of(exact: &Exact, length: f64, nodes: u32) -> Vec<(f64, f64)> {
+    const PARTS: u32 = 40;
+    let step = length / f64::from(nodes);
+    let share = |i: u32| {
+        let x = step * f64::from(i);
+        let [from, to] = [(x - 0.5 * step).max(0.0), (x + 0.5 * step).min(length)];
+        let part = (to - from) / f64::from(PARTS);
+        let pressed: f64 = (0..PARTS).map(|k| exact.pressure(from + part * (f64::from(k) + 0.5))).sum();
+        (x, part * pressed)
+    };
+    (0..=nodes).map(share).collect()
+}
+
+/// The file of the beam without its ground, under the forces as loads; those inside it spread, if that is said, over so much of the beam.
+fn bare(text: &str, forces: &[(f64, f64)], width: Option<f64>) -> String {
+    let mut text = text.split("[foundation]").next().unwrap_or(text).to_owned();
+    let mut add = |key: &str, rows: Vec<String>| {
+        let (rows, list) = (rows.join(", "), format!("{key} = ["));
+        text = match text.split_once(&list) {
+            Some((before, after)) => format!("{before}{list}{rows}, {after}"),
+            None => text.replace("[load]\n", &format!("[load]\n{list}{rows}]\n")),
+        };
+    };
+    let inside = |at: f64| width.filter(|_| forces[0].0 < at && at < forces[forces.len() - 1].0);
+    let point = |(x, f): &(f64, f64)| format!("{{ at = {x:?}, force = {:?} }}", -f);
+    add("point", forces.iter().filter(|row| inside(row.0).is_none()).map(point).collect());
+    let spread = |(x, f): &(f64, f64)| {
+        let width = inside(*x)?;
+        let (from, to, q) = (x - 0.5 * width, x + 0.5 * width, -f / width);
+        Some(format!("{{ from = {from:?}, to = {to:?}, start = {q:?}, end = {q:?} }}"))
+    };
+    let spread: Vec<String> = forces.iter().filter_map(spread).collect();
+    if !spread.is_empty() {
+        add("linear", spread);
+    }
+    text
+}
+
+/// A random scene of which statics does not say how forces bend it, with the forces of its answer. Half of those with an axial force are
+/// under compression.
+fn scene(i: u64, on_soil: bool) -> Option<(String, Exact, Rows)> {
+    let general = general(i, &Feature::ALL, on_soil);
+    let is_new = |feature: &Feature| match feature {
+        Feature::Couple | Feature::SoilSteps => false,
+        Feature::Steps | Feature::Joint => on_soil,
+        _ => true,
+    };
+    general.features.iter().any(is_new).then_some(())?;
+    let sign = if i.is_multiple_of(2) { "-0.01" } else { "" };
+    let text = general.text.replace("tension = ", &format!("tension = {sign}"));
+    let scene = parsed(&text)?;
+    let exact = theory::solve(&scene).ok().filter(|exact| exact.solved)?;
+    let forces = if on_soil { shares_of(&exact, scene.beam().length(), 40) } else { forces_of(&exact, 12) };
+    (!forces.is_empty()).then_some((text, exact, forces))
+}
+
+/// Right forces, and forged ones: all smaller, all moved, one larger. The bound is no smaller than what the beam that they bend is off by, and
+/// that of right forces is small.
+#[test]
+fn no_forces_have_a_bound_below_their_error() {
+    /// What two meshes may have in common, of the largest deflection.
+    const ELEMENTS: f64 = 1e-7;
+    let (mut count, mut close, mut tight) = (0, 0, 0);
+    for (i, on_soil) in (0..sample_of(400_u64)).flat_map(|i| [(i, false), (i, true)]) {
+        let Some((text, exact, right)) = scene(i, on_soil) else { continue };
+        let (scene, mut random) = (read(&text), Random::new(0xca11 + i));
+        let (strongest, length) = (random.below(right.len()), scene.beam().length());
+        let width = on_soil.then_some(length / 40.0);
+        // What nothing but the ground holds is not asked of finite elements.
+        if parsed(&bare(&text, &right, width)).is_none() {
+            continue;
+        }
+        for k in 0..4 {
+            let forged = |(j, (x, force)): (usize, &(f64, f64))| match k {
+                1 => (*x, 0.7 * force),
+                2 if on_soil => (*x, right[(j + 1) % right.len()].1),
+                2 => ((x + 0.03 * length).min(length), *force),
+                3 if j == strongest => (*x, 1.5 * force),
+                _ => (*x, *force),
+            };
+            let forces: Vec<(f64, f64)> = right.iter().enumerate().map(forged).collect();
+            let Found::Answer(bent) = reference(&bare(&text, &forces, width)) else { continue };
+            let (certificate, _) = judged(&scene, &forces);
+            let places = bent.places.iter().zip(&bent.numbers.deflections);
+            let size = bent.numbers.deflections.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+            let off = places.fold(0.0, |most: f64, (x, v)| most.max((v - exact.deflection(*x)).abs()));
+            let slack = size * (2.0 * bent.estimate[1] + ELEMENTS);
+            let bound = certificate.deflection_error;
+            assert!(off <= bound * (1.0 + 1e-6) + slack, "{i}, {k}: {off:e} for {certificate:?}\n{text}{forces:?}");
+            count += 1;
+            tight += usize::from(bound <= 1.5 * off + 0.01 * size);
+            close += usize::from(k == 0 && bound <= 0.05 * size);
+        }
+    }
+    assert!(800 * count <= 1000 * tight && 800 * count <= 4000 * close, "{close} and {tight} of {count}");
+}
+
+/// Beams that nothing but rigid ground holds, in parts between hinges too: right forces are close, and forged ones out of balance.
+#[test]
+fn forces_hold_a_beam_that_its_supports_do_not() {
+    let (mut count, mut close) = (0, 0);
+    for i in 0..sample_of(500_u64) {
+        let Some((text, exact, right)) = scene(i, false) else { continue };
+        let (scene, size) = (read(&text), exact.state.deflection.magnitude());
+        if parsed(&bare(&text, &right, None)).is_some() {
+            continue;
+        }
+        let (certificate, found) = judged(&scene, &right);
+        let is_open = |found: &[(ViolationKind, f64)]| {
+            found.iter().any(|(kind, share)| *kind == ViolationKind::Balance && 1e-3 < *share)
+        };
+        let off = (exact.deflection(0.4 * scene.beam().length())).abs() - certificate.deflection;
+        assert!(off <= certificate.deflection_error, "{i}: {certificate:?}\n{text}");
+        let is_close = certificate.deflection_error <= 0.05 * size;
+        count += 1;
+        close += usize::from(is_close);
+        let forged: Vec<(f64, f64)> = right.iter().map(|(x, force)| (*x, 0.5 * force)).collect();
+        // One place that a string hangs on takes what it has to.
+        let alone = right.len() < 2 && 0.0 < scene.beam().tension();
+        // So do stops that nothing pressed before.
+        let held = parsed(&bare(&text, &forged, None)).is_some();
+        assert!(alone || held || is_open(&judged(&scene, &forged).1), "{i}: {found:?}\n{text}");
+    }
+    assert!(0 < count && 8 * count <= 10 * close, "{close} of {count}");
+}
+
+/// On two elastic bearings `k` above level ground that the beam touches in the middle:
+///
+/// ```text
+/// F = (5 q l⁴/384 EI + q l/2k − u₀)/(1/2k + l³/48 EI),      F too much by f lifts the middle by f (1/2k + l³/48 EI), and the ends by f/2k
+/// ```
+#[test]
+fn a_point_between_elastic_bearings() {
+    let (l, ei, q, k, depth) = (8.0, 50.0, 1.5, 20.0, 1.2);
+    let soft = 0.5 / k + l * l * l / (48.0 * ei);
+    let force = (5.0 * q * l * l * l * l / (384.0 * ei) + 0.5 * q * l / k - depth) / soft;
+    let bearings = format!("supports = [{{ at = 0, stiffness = {k} }}, {{ at = {l}, stiffness = {k} }}]");
+    let beam = format!("[beam]\nlength = {l}\nbending_stiffness = {ei}\n{bearings}\n[load]\nuniform = {q}\n");
+    let scene = read(&format!("{beam}[foundation]\ndepth = {depth}\n"));
+    let (right, _) = judged(&scene, &[(0.5 * l, force)]);
+    assert!(0.0 < force && right.deflection_error <= 1e-9, "{right:?}");
+    assert_eq!(Verdict::of_forces(right).status, Status::Certified);
+    for more in [-0.5, -0.01, 0.02, 0.5] {
+        let (said, found) = judged(&scene, &[(0.5 * l, force + more)]);
+        let off = more.abs() * soft;
+        assert!(off <= said.deflection_error * (1.0 + 1e-9) && said.deflection_error <= 1.01 * off, "{more}: {said:?}");
+        let kind = if more < 0.0 { ViolationKind::Penetration } else { ViolationKind::Complementarity };
+        assert!(found.first().is_some_and(|first| first.0 == kind), "{found:?}");
+    }
+}
+
+/// A stop below the middle exerts `R = k (5 q l⁴/384 EI − d)/(1 + k l³/48 EI)`, whatever is said of it, and another force is found; one of a
+/// bearing that holds both ways is, too.
+#[test]
+fn a_force_is_not_that_of_its_stop() {
+    let (l, ei, q, k, level) = (10.0, 30.0, 1.0, 4.0, 0.5);
+    let free = 5.0 * q * l * l * l * l / (384.0 * ei) - level;
+    let right = k * free / (1.0 + k * l * l * l / (48.0 * ei));
+    for kind in ["pushes_only = true, ", ""] {
+        let stop = format!("{{ at = {}, {kind}stiffness = {k}, level = {level} }}", 0.5 * l);
+        let supports = format!("supports = [{{ at = 0 }}, {stop}, {{ at = {l} }}]");
+        let beam = format!("[beam]\nlength = {l}\nbending_stiffness = {ei}\n{supports}\n");
+        let scene = read(&format!("{beam}[load]\nuniform = {q}\n"));
+        for (force, wrong) in [(right, None), (right + 0.5, Some(0.5)), (right - 1.0, Some(1.0))] {
+            let (said, found) = judged(&scene, &[(0.5 * l, force)]);
+            assert!(said.deflection_error <= 1e-9 && said.contacts_proven, "{said:?}");
+            let share = wrong.map(|wrong| wrong / (q * l).max(force));
+            let law = found.iter().find(|found| found.0 == ViolationKind::SpringLaw);
+            let is_right = match (law, share) {
+                (None, None) => true,
+                (Some((_, found)), Some(share)) => (found - share).abs() <= 1e-9,
+                _ => false,
+            };
+            assert!(is_right, "{force}: {found:?}");
+        }
+    }
+}
+
+/// What is not computed says so: a list of contacts alone does not bend a beam on springs, and a beam that only an elastic foundation holds
+/// stays open.
+#[test]
+fn what_bends_in_no_known_way_is_refused() {
+    let beam = "[beam]\nlength = 4.0\nbending_stiffness = 1.0\n";
+    let springs = "supports = [{ at = 0, stiffness = 1.0 }, { at = 4 }]\n";
+    let load = ContactLoad::new(4.0, [(2.0, 1.0)]).expect("a force");
+    let giving = read(&format!("{beam}{springs}[load]\nuniform = 1\n[foundation]\ndepth = 1\n"));
+    let alone = palkki::certificate::certify(&giving, Judged::Forces(&load), &[]).expect_err("springs");
+    assert!(alone.to_string().contains("cannot compute supports that give yet"), "{alone}");
+    let hinge = "supports = []\njoints = [{ at = 1.0 }]\n[load]\nuniform = 1\n";
+    let free = read(&format!("{beam}{hinge}[foundation]\ndepth = 1\nstiffness = 10\n"));
+    let open = Witness::of(&free).judge(Judged::Forces(&load), &[]).expect_err("an elastic foundation");
+    assert!(open.to_string().contains("a beam that an elastic foundation holds"), "{open}");
+}
