@@ -123,8 +123,7 @@ impl Scene {
             while at < *x {
                 let k = Q::from(2) * (ei / &h - n * &h * Q::from(10) / Q::from(98));
                 let [a, b, c] = turn(form, &k)?;
-                let far = &b - &a * &h;
-                (form, at) = (turn([a, far.clone(), c - (b + far + n) * &h], &k)?, at + &h);
+                (form, at) = (turn([a.clone(), &b - &a * &h, c - (Q::from(2) * b - a * &h + n) * &h], &k)?, at + &h);
             }
             if let Some(t) = self.supports.get(x).filter(|t| t["pushes_only"] != true) {
                 let k = |key: &str, held: bool| t.get(key).map_or(Ok(if held { rigid.clone() } else { Q::ZERO }), positive).ok();
@@ -149,14 +148,15 @@ impl Scene {
 struct Cell { a: Q, b: Q, l: Q, v: Poly, moment: Poly, gap: Option<Poly>, pressed: bool }
 fn place(x: &Q) -> f64 { x.to_f64().value() }
 fn fraction(v: &Json) -> Result<Q> {
-    let text = v.as_str().filter(|text| text.split_once(['e', 'E']).is_none_or(|(_, power)| power.len() < 5)).unwrap_or_default();
-    if text.contains('/') { text.parse() } else { Q::from_str_decimal(text) }.map_err(|_| format!("{v} is no fraction"))
+    let text = v.as_str().filter(|text| text.len() < 10_000 && text.split_once(['e', 'E', '@']).is_none_or(|(_, n)| n.len() < 5)).unwrap_or_default();
+    let over = |(_, q): (&str, &str)| q.starts_with(|first| first > '0').then(|| text.parse().ok())?;
+    text.split_once('/').map_or_else(|| Q::from_str_decimal(text).ok(), over).ok_or(format!("{:.40} is no fraction", v.to_string()))
 }
 fn cells(s: &Scene, proof: &Json) -> Result<Vec<Cell>> {
     let mut cells: Vec<Cell> = Vec::new();
     for c in list(&proof["cells"]) {
-        let [v, moment] = ["v", "moment"].map(|key| list(&c[key]).iter().map(fraction).collect::<Result<Poly>>());
-        let (from, to, v, moment) = (fraction(&c["from"])?, fraction(&c["to"])?, v?, moment?);
+        let poly = |key: &str| c[key].as_array().filter(|p| p.len() < 100).ok_or(format!("no {key}"))?.iter().map(fraction).collect::<Result<Poly>>();
+        let (from, to, v, moment) = (fraction(&c["from"])?, fraction(&c["to"])?, poly("v")?, poly("moment")?);
         if from != *cells.last().map_or(&Q::ZERO, |c| &c.b) || to <= from { return Err(format!("cells do not follow each other at {}", place(&from))); }
         let inside = s.breaks.range((Excluded(&from), Excluded(&to)));
         for w in [&from].into_iter().chain(inside).chain([&to]).collect::<Vec<_>>().windows(2) {

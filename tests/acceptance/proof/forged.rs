@@ -210,3 +210,60 @@ fn cells_that_are_none_are_refused() {
     let beyond = RBig::from(11);
     assert!(with(&|cells| cells[2].ends[1] = beyond.clone()).is_err());
 }
+
+/// Texts that are no proof, or would take all memory or time: each is refused with a sentence that is short.
+#[test]
+fn hostile_proofs_are_refused() {
+    let scene = read(&text(&scene("heinisuo-1984")));
+    let cell = |from: &str, to: &str, v: &str, moment: &str| {
+        format!(r#"{{"from": {from}, "to": {to}, "v": {v}, "moment": {moment}, "pressed": true}}"#)
+    };
+    let one = |cell: String| format!(r#"{{"version": 1, "cells": [{cell}]}}"#);
+    let numbers = [
+        "",
+        "/",
+        "1/",
+        "/1",
+        "0/0",
+        "1/0",
+        "1/-0",
+        "-1/-0",
+        "1/-2",
+        "1/2/3",
+        "1.5/2",
+        "inf",
+        "NaN",
+        "x",
+        "1..2",
+        "0x1",
+        "１",
+        "1e99999",
+        "1e-99999",
+        "1e999999999",
+        "1@999999999",
+        "1e5/3",
+    ];
+    let long = ["9".repeat(1_000_000), format!("1/{}", "7".repeat(1_000_000))];
+    let mut texts: Vec<String> =
+        ["", "1", "null", "[]", "{}", r#"{"cells": 1}"#, r#"{"cells": [null]}"#].map(str::to_owned).into();
+    texts.extend(["[".repeat(1_000_000), r#"{"cells": "#.repeat(1_000)]);
+    for number in numbers.into_iter().chain(long.iter().map(String::as_str)) {
+        let (given, none, ten) = (format!("\"{number}\""), "[\"0\"]", "\"10\"");
+        texts.push(one(cell("\"0\"", ten, &format!("[{given}]"), none)));
+        texts.push(one(cell("\"0\"", ten, none, &format!("[\"0\", {given}]"))));
+        texts.push(one(cell("\"0\"", &given, none, none)));
+        texts.push(one(cell(&given, ten, none, none)));
+    }
+    let whole = cell("\"0\"", "\"10\"", "[\"0\"]", "[\"0\"]");
+    assert!(checked(&scene, &one(whole.clone())).is_ok(), "the straight beam, which the ground carries at once");
+    for key in ["from", "to", "v", "moment"] {
+        texts.push(one(whole.replace(key, "other")));
+    }
+    texts.push(one(cell("0", "10", "[0]", "[0]")));
+    texts.push(one(cell("\"0\"", "\"10\"", &format!("[{}]", ["\"1/3\""; 20_000].join(", ")), "[]")));
+    texts.push(one(vec![whole; 1_000].join(", ")));
+    for text in texts {
+        let why = checked(&scene, &text).expect_err(&text[..text.len().min(200)]);
+        assert!(why.len() < 200, "{why}");
+    }
+}

@@ -2,6 +2,7 @@
 
 mod forged;
 mod general;
+mod reactions;
 mod right;
 
 use palkki::proof::Fields;
