@@ -221,30 +221,31 @@ pub(crate) fn factor<R: AsMut<Block>>(rows: &mut [R], ratio: impl Fn(&R) -> f64)
 /// The same with the same digits where no row has `σ`, `η` or a spring against turning.
 #[inline]
 pub(crate) fn factor_rigid<R: AsMut<Block>>(rows: &mut [R], ratio: impl Fn(&R) -> f64) {
-    let mut carried = Carried::default();
-    for row in rows {
-        let theta = ratio(row);
-        let row = row.as_mut();
-        carried = row.eliminate::<false>(carried, theta, row.beside());
-    }
+    let last = rows.len().saturating_sub(1);
+    factor_by::<false, _>(rows, last, ratio);
 }
 
 /// Factors the matrix from both ends towards a row: where a row has an infinite `w`, a hinge, elimination must not begin on the side on
 /// which statics alone says what is there, and which could move without the rest.
 #[inline]
 pub(crate) fn factor_towards<R: AsMut<Block>>(rows: &mut [R], meeting: usize, ratio: impl Fn(&R) -> f64) {
+    factor_by::<true, _>(rows, meeting, ratio);
+}
+
+#[inline]
+fn factor_by<const SPRINGS: bool, R: AsMut<Block>>(rows: &mut [R], meeting: usize, ratio: impl Fn(&R) -> f64) {
     let (left, right) = rows.split_at_mut(meeting);
     let mut from_left = Carried::default();
     for row in left {
         let theta = ratio(row);
         let row = row.as_mut();
-        from_left = row.eliminate::<true>(from_left, theta, row.beside());
+        from_left = row.eliminate::<SPRINGS>(from_left, theta, row.beside());
     }
     let mut from_right = Carried::default();
     for i in (1..right.len()).rev() {
         let theta = ratio(&right[i]);
         let between = right[i - 1].as_mut().beside();
-        from_right = right[i].as_mut().eliminate::<true>(from_right, theta, between);
+        from_right = right[i].as_mut().eliminate::<SPRINGS>(from_right, theta, between);
     }
     let Some(row) = right.first_mut() else { return };
     let theta = ratio(row);
@@ -332,35 +333,31 @@ pub(crate) fn solve<R: AsMut<Block>>(rows: &mut [R], right: impl Fn(&R) -> [f64;
 /// The same with factors of [`factor_rigid`].
 #[inline]
 pub(crate) fn solve_rigid<R: AsMut<Block>>(rows: &mut [R], right: impl Fn(&R) -> [f64; 2]) {
-    let mut carried = [0.0; 2];
-    for row in rows.iter_mut() {
-        let [r1, r2] = right(row);
-        let row = row.as_mut();
-        carried = row.forwards::<false>([r1 - carried[0], r2 - carried[1]], row.beside());
-    }
-    let mut next = [0.0; 2];
-    for row in rows.iter_mut().rev() {
-        let row = row.as_mut();
-        next = row.backwards::<false>(next, row.beside());
-    }
+    let last = rows.len().saturating_sub(1);
+    solve_by::<false, _>(rows, last, right);
 }
 
 /// The same with factors towards a row.
 #[inline]
 pub(crate) fn solve_towards<R: AsMut<Block>>(rows: &mut [R], meeting: usize, right: impl Fn(&R) -> [f64; 2]) {
+    solve_by::<true, _>(rows, meeting, right);
+}
+
+#[inline]
+fn solve_by<const SPRINGS: bool, R: AsMut<Block>>(rows: &mut [R], meeting: usize, right: impl Fn(&R) -> [f64; 2]) {
     let less = |[r1, r2]: [f64; 2], [c1, c2]: [f64; 2]| [r1 - c1, r2 - c2];
     let (before, behind) = rows.split_at_mut(meeting);
     let mut from_left = [0.0; 2];
     for row in before.iter_mut() {
         let rest = less(right(row), from_left);
         let row = row.as_mut();
-        from_left = row.forwards::<true>(rest, row.beside());
+        from_left = row.forwards::<SPRINGS>(rest, row.beside());
     }
     let mut from_right = [0.0; 2];
     for i in (1..behind.len()).rev() {
         let rest = less(right(&behind[i]), from_right);
         let between = behind[i - 1].as_mut().beside();
-        from_right = behind[i].as_mut().forwards::<true>(rest, between);
+        from_right = behind[i].as_mut().forwards::<SPRINGS>(rest, between);
     }
     let Some(middle) = behind.first_mut() else { return };
     let rest = less(less(right(middle), from_left), from_right);
@@ -369,11 +366,11 @@ pub(crate) fn solve_towards<R: AsMut<Block>>(rows: &mut [R], meeting: usize, rig
     let (mut next, step) = (middle.step, middle.step);
     for row in before.iter_mut().rev() {
         let row = row.as_mut();
-        next = row.backwards::<true>(next, row.beside());
+        next = row.backwards::<SPRINGS>(next, row.beside());
     }
     let mut next = step;
     for i in 1..behind.len() {
         let between = behind[i - 1].as_mut().beside();
-        next = behind[i].as_mut().backwards::<true>(next, between);
+        next = behind[i].as_mut().backwards::<SPRINGS>(next, between);
     }
 }
