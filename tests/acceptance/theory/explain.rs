@@ -160,27 +160,35 @@ fn turned_pipe(seed: u64) -> Scene {
     Scene::above(scene.beam().clone(), load, scene.foundation().cloned(), scene.ground_stiffness()).expect("a scene")
 }
 
+/// What is left of `v` and `M`, which have twelve digits, over the shortest link of a chain.
+const LEFT: f64 = 1e-8;
+
+/// The links of a chain meet at each of its nodes; the sizes of slopes and shear forces.
+#[track_caller]
+fn links_meet(chain: &Chain, what: impl Fn() -> String) -> [f64; 2] {
+    let sizes = |of: &dyn Fn(usize) -> [Option<Parts>; 2]| -> f64 {
+        let all = (0..chain.nodes.len()).flat_map(of).flatten();
+        all.fold(0.0, |most: f64, parts| most.max(parts.size()))
+    };
+    let sizes = [sizes(&|node| chain.slopes(node)), sizes(&|node| chain.shears(node))];
+    for node in 0..chain.nodes.len() {
+        let off = chain.residuals(node);
+        let close = [0, 1].map(|kind| off[kind] <= LEFT * sizes[kind]);
+        assert_eq!(close, [true; 2], "node {node}: {off:?} of {sizes:?}\n{}", what());
+    }
+    sizes
+}
+
 /// On an elastic foundation the slopes and the shear forces of the links meet at every node, with numbers that the links compute from the
 /// scene alone: free beams, supports in soil, clamps, bearings, waves, polylines and couples.
 #[test]
 fn the_links_of_a_chain_meet_at_every_node() {
-    /// What is left of `v` and `M`, which have twelve digits, over the shortest link.
-    const LEFT: f64 = 1e-8;
     let mut turned = 0;
     for seed in 0..sample_of(200) {
         let scene = turned_pipe(seed);
         let exact = theory::solve(&scene).expect("an answer");
         let chain = Chain::of(&scene, &exact).expect("an elastic foundation");
-        let sizes = |of: &dyn Fn(usize) -> [Option<Parts>; 2]| -> f64 {
-            let all = (0..chain.nodes.len()).flat_map(of).flatten();
-            all.fold(0.0, |most: f64, parts| most.max(parts.size()))
-        };
-        let sizes = [sizes(&|node| chain.slopes(node)), sizes(&|node| chain.shears(node))];
-        for node in 0..chain.nodes.len() {
-            let off = chain.residuals(node);
-            let close = [0, 1].map(|kind| off[kind] <= LEFT * sizes[kind]);
-            assert_eq!(close, [true; 2], "{seed}, node {node}: {off:?} of {sizes:?}\n{scene:?}");
-        }
+        links_meet(&chain, || format!("{seed}: {scene:?}"));
         // The moments of a chain jump by its couples.
         for couple in scene.load().couple() {
             let is_here = |node: &&ChainNode| (node.x - couple.at).abs() <= 1e-12 * scene.beam().length();
@@ -205,8 +213,6 @@ fn the_links_of_a_chain_meet_at_every_node() {
 /// times compression, on rigid ground too.
 #[test]
 fn the_links_of_a_general_beam_meet_at_every_node() {
-    /// As above.
-    const LEFT: f64 = 1e-8;
     let (mut laws, mut joints, mut tense) = (0, 0, 0);
     for (i, on_soil) in (0..sample_of(300_u64)).flat_map(|i| [(i, false), (i, true)]) {
         let sign = if i.is_multiple_of(2) { "-0.01" } else { "" };
@@ -221,16 +227,7 @@ fn the_links_of_a_general_beam_meet_at_every_node() {
         }
         let chain = Chain::of(&scene, &exact).expect("a chain");
         tense += usize::from(!on_soil);
-        let sizes = |of: &dyn Fn(usize) -> [Option<Parts>; 2]| -> f64 {
-            let all = (0..chain.nodes.len()).flat_map(of).flatten();
-            all.fold(0.0, |most: f64, parts| most.max(parts.size()))
-        };
-        let sizes = [sizes(&|node| chain.slopes(node)), sizes(&|node| chain.shears(node))];
-        for node in 0..chain.nodes.len() {
-            let off = chain.residuals(node);
-            let close = [0, 1].map(|kind| off[kind] <= LEFT * sizes[kind]);
-            assert_eq!(close, [true; 2], "{i}, node {node}: {off:?} of {sizes:?}\n{text}\n{chain:#?}");
-        }
+        let sizes = links_meet(&chain, || format!("{i}: {text}\n{chain:#?}"));
         let hinges = chain.nodes.iter().filter(|node| node.joint == Some(0.0));
         let most = chain.nodes.iter().fold(0.0, |most: f64, node| most.max(node.moments[0].abs()));
         assert!(

@@ -9,6 +9,7 @@
 
 use palkki::scene::{Beam, Foundation, Load, Scene, SceneError};
 
+use crate::elements::{carried, shapes};
 use crate::random::Random;
 
 /// The bending stiffness of the pipe in N m², and its weight in N/m.
@@ -121,10 +122,10 @@ fn springs(points: &[[f64; 2]], nodes: &[f64], soil: f64) -> Vec<Spring> {
     let elements = nodes.windows(2).enumerate().flat_map(|(i, pair)| [(i, pair, 0.5 - at), (i, pair, 0.5 + at)]);
     let spring = |(element, pair, t): (usize, &[f64], f64)| {
         let (h, [a, b]) = (pair[1] - pair[0], [points[element / 2], points[element / 2 + 1]]);
-        let (x, s) = (pair[0] + t * h, 1.0 - t);
+        let x = pair[0] + t * h;
         Spring {
             element,
-            shares: [s * s * (1.0 + 2.0 * t), h * t * s * s, t * t * (3.0 - 2.0 * t), -h * t * t * s],
+            shares: shapes(h, t),
             stiffness: 0.5 * h * soil,
             gap: a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]),
             pressed: true,
@@ -148,8 +149,7 @@ fn solved(nodes: &[f64], springs: &[Spring]) -> Vec<[f64; 2]> {
         for (row, entries) in band[2 * i..].iter_mut().zip(element) {
             row.iter_mut().zip(entries).for_each(|(sum, entry)| *sum += entry);
         }
-        let parts = [0.5 * h, h * h / 12.0, 0.5 * h, -h * h / 12.0];
-        right[2 * i..].iter_mut().zip(parts).for_each(|(sum, part)| *sum += WEIGHT * part);
+        right[2 * i..].iter_mut().zip(carried(h, [WEIGHT; 2])).for_each(|(sum, part)| *sum += part);
     }
     for spring in springs.iter().filter(|spring| spring.pressed) {
         for (r, a) in spring.shares.iter().enumerate() {

@@ -45,6 +45,21 @@ pub(super) fn describe(root: &Path) -> Vec<String> {
     ]
 }
 
+/// These lines at the head of a file of measurements.
+pub(super) fn heading(described: &[String]) -> String {
+    described.iter().map(|line| format!("# {line}\n")).collect()
+}
+
+/// The lines that [`heading`] wrote at the head of a text.
+pub(crate) fn described(text: &str) -> Vec<String> {
+    text.lines().filter_map(|line| line.strip_prefix("# ")).map(str::to_owned).collect()
+}
+
+/// The same for templates: `commit`, `date`, `machine`, `compiler` and `libraries`.
+pub(crate) fn provenance(described: &[String]) -> minijinja::Value {
+    minijinja::Value::from_pairs(described.iter().filter_map(|line| line.split_once(": ")))
+}
+
 /// Kilobytes that a process has had in use at the most: the line `VmHWM:   123456 kB` of its status.
 pub(super) fn high_water_mark(status: &str) -> Option<u64> {
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
+use super::instruments;
 use super::plan::Job;
 use super::references::Errors;
 use crate::data::{rounded, spread};
@@ -176,13 +177,13 @@ impl Store {
     /// Reads the file: its text, and what it says.
     pub(crate) fn read(root: &Path) -> Result<(String, Self), Cause> {
         let (text, lines) = data::read(root, PATH)?;
-        let described = text.lines().filter_map(|line| line.strip_prefix("# ")).map(str::to_owned).collect();
-        Ok((text, Self { path: root.join(PATH), described, lines }))
+        let (path, described) = (root.join(PATH), instruments::described(&text));
+        Ok((text, Self { path, described, lines }))
     }
 
-    /// Where they come from, for templates: `commit`, `date`, `machine`, `compiler` and `libraries`.
+    /// Where they come from, for templates.
     pub(crate) fn provenance(&self) -> minijinja::Value {
-        minijinja::Value::from_pairs(self.described.iter().filter_map(|line| line.split_once(": ")))
+        instruments::provenance(&self.described)
     }
 
     /// Opens the file to go on with it. With `fresh` what is `wanted` is forgotten, and everything if the file comes from
@@ -220,8 +221,7 @@ impl Store {
     }
 
     fn write(&self) -> Result<(), Cause> {
-        let described: String = self.described.iter().map(|line| format!("# {line}\n")).collect();
-        let text = described + &data::text(&self.lines)?;
+        let text = instruments::heading(&self.described) + &data::text(&self.lines)?;
         files::replace(&self.path, &text).map_err(|error| format!("{}: {error}", PATH).into())
     }
 }

@@ -7,7 +7,7 @@
 //! the population, which has a file of its own and no times, and `--only soil` the surveys on soil, which have one as well.
 
 pub(crate) mod advice;
-mod instruments;
+pub(crate) mod instruments;
 mod job;
 pub(crate) mod line;
 pub(crate) mod plan;

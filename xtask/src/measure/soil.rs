@@ -5,6 +5,7 @@ use std::path::Path;
 
 use palkki::route::Status;
 use palkki::{solve_exactly, theory};
+use palkki_evidence::compare::largest;
 use palkki_evidence::soil::Pipe;
 use serde::{Deserialize, Serialize};
 
@@ -56,11 +57,10 @@ fn line(readings: u32, soil: f64) -> Result<Line, Cause> {
     let (exact_s, exact) = timed(|| Ok(theory::solve(&scene)?))?;
     let (certified_s, certified) = timed(|| Ok(solve_exactly(&scene)?))?;
     let (elements_s, elements) = timed(|| Ok(pipe.by_elements()))?;
-    let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, |most: f64, value| most.max(value.abs()));
     let deflections = || elements.nodes.iter().zip(&elements.values).map(|(x, value)| (exact.deflection(*x), value[0]));
     let moments = || elements.moments().map(|(x, moment)| (exact.moment(x), moment));
     let off = |pairs: &mut dyn Iterator<Item = (f64, f64)>, size: f64| {
-        rounded(largest(&mut pairs.map(|(exact, found)| found - exact)) / size, 1)
+        rounded(largest(pairs.map(|(exact, found)| found - exact)) / size, 1)
     };
     let proven = certified.verdict.largest_error();
     Ok(Line {
@@ -74,8 +74,8 @@ fn line(readings: u32, soil: f64) -> Result<Line, Cause> {
         elements_s: spread(elements_s)[0],
         steps: elements.steps,
         settled: elements.settled,
-        deflection_off: off(&mut deflections(), largest(&mut deflections().map(|(exact, _)| exact))),
-        moment_off: off(&mut moments(), largest(&mut moments().map(|(exact, _)| exact))),
+        deflection_off: off(&mut deflections(), largest(deflections().map(|(exact, _)| exact))),
+        moment_off: off(&mut moments(), largest(moments().map(|(exact, _)| exact))),
     })
 }
 
@@ -88,8 +88,8 @@ pub(super) fn run(root: &Path) -> Result<(), Cause> {
             lines.push(line(readings, soil)?);
         }
     }
-    let made: String = instruments::describe(root).iter().map(|line| format!("# {line}\n")).collect();
-    Ok(files::replace(&root.join(PATH), &format!("{made}{}", data::text(&lines)?))?)
+    let text = instruments::heading(&instruments::describe(root)) + &data::text(&lines)?;
+    Ok(files::replace(&root.join(PATH), &text)?)
 }
 
 impl Line {

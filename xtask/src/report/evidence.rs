@@ -38,7 +38,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::OnceLock;
 
-use minijinja::Value;
+use minijinja::{Value, context};
 use palkki::plot::{Figure, Panel};
 use palkki::route::{Method, Solution, Solver};
 use palkki::scene::{Scene, SceneError};
@@ -60,7 +60,7 @@ mod prelude {
     pub(super) use palkki_evidence::compare::{apart_if_any, largest};
 
     pub(super) use super::words::Words;
-    pub(super) use super::{Drawn, Evidence, Study, load, nodes_of, on_grid, range, routes};
+    pub(super) use super::{Drawn, Evidence, Study, least_most, load, nodes_of, on_grid, range, routes};
     pub(super) use crate::table::{Table, row};
     pub(super) use crate::text::*;
     pub(super) use crate::{Cause, scenes};
@@ -227,4 +227,9 @@ fn load(scene: &Scene) -> f64 {
 fn range(numbers: impl IntoIterator<Item = f64>) -> Option<[f64; 2]> {
     let numbers = numbers.into_iter().map(|number| [number, number]);
     numbers.reduce(|[least, most], [a, b]| [least.min(a), most.max(b)])
+}
+
+/// The same for a template.
+fn least_most(numbers: impl IntoIterator<Item = f64>) -> Option<Value> {
+    range(numbers).map(|[least, most]| context! { least, most })
 }

@@ -80,13 +80,13 @@ pub(super) struct Mesh<'a> {
 }
 
 /// Shape functions of an element of length `h` at a share `t` of it.
-pub(super) fn shapes(h: f64, t: f64) -> [f64; 4] {
+pub(crate) fn shapes(h: f64, t: f64) -> [f64; 4] {
     let s = 1.0 - t;
     [s * s * (1.0 + 2.0 * t), h * t * s * s, t * t * (3.0 - 2.0 * t), -h * t * t * s]
 }
 
 /// What is in balance with a load that grows from `a` to `b` along an element.
-pub(super) fn carried(h: f64, [a, b]: [f64; 2]) -> [f64; 4] {
+pub(crate) fn carried(h: f64, [a, b]: [f64; 2]) -> [f64; 4] {
     let part = |x: f64, y: f64, over: f64| (x * a + y * b) / over;
     [h * part(7.0, 3.0, 20.0), h * h * part(3.0, 2.0, 60.0), h * part(3.0, 7.0, 20.0), -h * h * part(2.0, 3.0, 60.0)]
 }

@@ -14,4 +14,5 @@ mod reference;
 mod results;
 mod wide;
 
+pub(crate) use mesh::{carried, shapes};
 pub use reference::{Found, Numbers, Reference, Shares, reference};

@@ -151,7 +151,7 @@ fn advised(lines: &[Line]) -> Value {
     let is_smooth = |family: &Family| matches!(family, Family::Flat | Family::Crests);
     let [smooth, other] = [true, false].map(|smooth| {
         let families = Family::ALL.into_iter().filter(|family| is_smooth(family) == smooth);
-        range(families.filter_map(|family| quotient(family, 3))).map(|[least, most]| context! { least, most })
+        least_most(families.filter_map(|family| quotient(family, 3)))
     });
     context! { smooth, other, held_energy => quotient(Family::Held, 4).map(f64::recip) }
 }

@@ -59,11 +59,6 @@ impl<'a> Measured<'a> {
     }
 }
 
-/// The least and the greatest of some numbers, for a template.
-fn least_most(numbers: impl IntoIterator<Item = f64>) -> Option<Value> {
-    range(numbers).map(|[least, most]| context! { least, most })
-}
-
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let (_, store) = Store::read(study.root)?;
     let line = |survey, route| store.lines.iter().find(|line| line.name() == on_survey(survey, route).name());
@@ -71,7 +66,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         surveys().map(|survey| Measured { survey, lines: ROUTES.map(|route| line(survey, route)) }).collect();
     let most = all.iter().map(|survey| survey.survey.points).max().ok_or("no survey is in the plan")?;
     let largest: Vec<&Measured<'_>> = all.iter().filter(|survey| survey.survey.points == most).collect();
-    let seconds = range(largest.iter().filter_map(|survey| survey.seconds(EXACT)));
+    let seconds = least_most(largest.iter().filter_map(|survey| survey.seconds(EXACT)));
     let solved = largest.iter().filter(|survey| survey.solved(EXACT).is_some()).count();
     let interior =
         || all.iter().filter_map(|survey| Some((survey.survey.points, survey.ratio(INTERIOR_POINT, EXACT)?)));
@@ -81,7 +76,6 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         interior().filter(|(points, _)| *points == largest_interior).map(|(_, ratio)| ratio).collect();
     let failed = all.iter().filter(|survey| survey.survey.points == largest_interior);
     let failed = failed.filter(|survey| survey.failed_after(INTERIOR_POINT).is_some()).count();
-    let seconds = seconds.map(|[least, most]| context! { least, most });
     let values = context! { solved, surveys => largest.len(), most, seconds };
     let (panels, data) = panels(&all);
     let figure = study.drawn("scale-time", values.clone(), 2, panels, data)?;

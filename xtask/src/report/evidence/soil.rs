@@ -2,11 +2,11 @@
 
 use super::prelude::*;
 use crate::data;
+use crate::measure::instruments;
 use crate::measure::soil::{Line, PATH};
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let (text, lines): (String, Vec<Line>) = data::read(study.root, PATH)?;
-    let made = |what: &str| text.lines().find_map(|line| line.strip_prefix(&format!("# {what}: "))).map(str::to_owned);
     let header = [
         "soil, N/m²",
         "readings",
@@ -38,14 +38,13 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let ratio = |line: &Line| Some(line.certified_s? / line.elements_s?).filter(|_| line.settled);
     let certified = lines.iter().filter(|line| line.is_certified());
     let values = context! {
-        commit => made("commit"),
-        date => made("date"),
+        made => instruments::provenance(&instruments::described(&text)),
         pipes => lines.len(),
         certified => certified.clone().count(),
         proven => certified.filter_map(|line| line.proven).reduce(f64::max),
         settled => lines.iter().filter(|line| line.settled).count(),
-        over_elements => range(lines.iter().filter_map(ratio)).map(|[least, most]| context! { least, most }),
-        moment_off => range(lines.iter().filter_map(|line| line.moment_off)).map(|[least, most]| context! { least, most }),
+        over_elements => least_most(lines.iter().filter_map(ratio)),
+        moment_off => least_most(lines.iter().filter_map(|line| line.moment_off)),
         table => Table::new(header.map(str::to_owned)).rows(rows),
     };
     Ok(Evidence::new(values).file("soil-surveys", text))

@@ -94,7 +94,7 @@ pub(crate) fn recommendation(study: &Study<'_>) -> Result<Evidence, Cause> {
     let four_steps = || ledger.four_step.iter().map(solved);
     let of_nsor = |k: usize| {
         let thousands = ledger.nsor.iter().map(|count| 1e-3 * as_number(count.on_the_paper_grid()[k]));
-        range(thousands).map(|[least, most]| context! { least, most })
+        least_most(thousands)
     };
     Ok(Evidence::new(context! {
         usable => USABLE,
