@@ -1,4 +1,4 @@
-//! Vary one number of a scene: an exact answer for each value, and the values at which a contact appears or goes.
+//! Vary one number of a scene: an exact answer for each value, and the values at which contact is gained or lost.
 #![expect(clippy::print_stdout, reason = "an example prints what it finds")]
 use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene};
 use palkki::sweep::Sweep;

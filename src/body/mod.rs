@@ -193,29 +193,25 @@ impl Verdict {
     #[must_use]
     pub fn new(errors: Result<Errors, Unproven>, demanded: f64, reports_success: bool) -> Self {
         let known = errors.unwrap_or(Errors::UNKNOWN);
-        let all = [
-            ("clearances", "are", known.clearance),
-            ("contact forces", "are", known.force),
-            ("energy", "is", known.energy),
-        ];
-        let status = Status::of_body(all.map(|(_, _, off)| off.share), demanded, reports_success);
+        let all = [("clearances", known.clearance), ("contact forces", known.force), ("energy", known.energy)];
+        let status = Status::of_body(all.map(|(_, off)| off.share), demanded, reports_success);
         let reason = match errors {
             Err(unproven) => unproven.to_string(),
-            Ok(_) if all.iter().any(|(_, _, off)| !off.least.is_finite()) => {
+            Ok(_) if all.iter().any(|(_, off)| !off.least.is_finite()) => {
                 "the clearances and contact forces are not all numbers".to_owned()
             }
             Ok(_) if status == Status::Certified => {
-                let [clearance, force, energy] = all.map(|(_, _, off)| share_at_most(off.share));
+                let [clearance, force, energy] = all.map(|(_, off)| share_at_most(off.share));
                 format!(
-                    "clearances are certain to {clearance}, contact forces to {force}, energy to {energy} of the largest"
+                    "the errors of clearances, contact forces and energy are at most {clearance}, {force} and {energy} of the largest"
                 )
             }
             Ok(_) => {
-                let wrong = all.iter().filter(|(_, _, off)| !Status::is_certain(off.share, demanded));
-                let told = wrong.map(|(what, are, Off { least, most, share })| {
+                let wrong = all.iter().filter(|(_, off)| !Status::is_certain(off.share, demanded));
+                let told = wrong.map(|(what, Off { least, most, share })| {
                     let [least, most] = [magnitude_at_least(*least), magnitude_at_most(*most)];
                     let share = share_at_most(*share);
-                    format!("the {what} {are} off by at least {least} and at most {most}, {share} of the largest")
+                    format!("the error of the {what} is at least {least} and at most {most}, {share} of the largest")
                 });
                 told.collect::<Vec<_>>().join("; ")
             }

@@ -20,11 +20,12 @@ pub(super) const DEFAULT_SOLVER: Solver = Solver::ActiveSet;
 
 /// A beam on an uneven foundation: where does it touch, and how hard?
 ///
-/// palkki computes the contact, the contact forces, the reactions, the deflection and the bending moment of an elastic beam above a foundation
-/// that can only push. The supports are simple, built in or compression-only; without a list of supports there is a simple one at each end. Any
-/// elastic body, given by its stiffness or flexibility matrix, can replace the beam.
+/// palkki computes contacts, contact forces, reactions, deflection and bending moment of an elastic beam above a rigid or elastic foundation that
+/// can only push. Supports are simple, built in, elastic or compression-only; without a list of supports there is a simple one at each end. The
+/// beam may have steps of its bending stiffness, hinges, elastic joints, an initial shape and an axial force. Any elastic body, given by its
+/// stiffness or flexibility matrix, can replace the beam.
 ///
-/// The problem on two simple supports and the three methods on a grid are those of M. Heinisuo, "Yksinkertainen palkki jäykällä epätasaisella
+/// The problem with two simple supports and the three methods on a grid come from M. Heinisuo, "Yksinkertainen palkki jäykällä epätasaisella
 /// alustalla", Rakenteiden Mekaniikka 17 (1984). A scene file describes the beam, its loads and the foundation; report/pages/scene-file.md lists
 /// its keys, and report/scenes has examples.
 #[derive(Debug, Parser)]
@@ -57,7 +58,7 @@ FORCES is a CSV file with the header x,force: positions along the beam, and the 
 foundation on the beam, positive upwards, all of them.
 On an elastic foundation (foundation.stiffness) a force is that of the spring at a node. It is
 spread evenly over half the distance to its neighbours; list the nodes without a force as well,
-with 0. A beam that its supports do not hold is placed where its springs exert these forces as
+with 0. If the supports allow a rigid motion, it is chosen so that the springs exert these forces as
 nearly as possible. The bound is on the difference of its deflection from that of the continuous
 beam.
 
@@ -193,7 +194,7 @@ pub(super) struct SceneArgument {
 
 #[derive(Debug, Args)]
 pub(super) struct Common {
-    /// A table for people, or JSON for programs
+    /// Text with tables, or JSON for scripts
     #[arg(short, long, value_name = "FORMAT", value_enum, default_value_t = Format::Text)]
     pub(super) format: Format,
     #[command(flatten)]
@@ -248,12 +249,12 @@ fn intervals_help() -> String {
 
 fn tolerance_help() -> String {
     format!(
-        "Guaranteed error of deflection, support forces, contact force and energy, as a share of the largest of its kind\n\n\
-         A discretised method refines its grid until the certified error is at most EPS, with as little work as it can, and \
-         says which grids it tried; if that cannot be reached, the best answer is printed and the exit code is 1. With beam \
-         theory the certified error has to be at most EPS, and at most 1e-6 in any case; on a grid at most a tenth.\n\n\
-         Together with --intervals the grid is fixed, and EPS is the scaled residual at which an iterative solver may stop; \
-         the check is not loosened by it [default: {DEFAULT_TOLERANCE:e}]."
+        "Required proven error of deflection, reactions, contact force and energy, as a share of the largest value of each\n\n\
+         A discretised method refines its grid until the proven errors are at most EPS, and the output lists the grids it \
+         tried. If EPS is not reached, the best answer is printed and the exit code is 1. The grid-free solution is \
+         certified only if its proven errors are at most EPS and at most 1e-6.\n\n\
+         Together with --intervals the grid is fixed, and EPS is the scaled residual at which an iterative solver may stop. \
+         The check does not become looser [default: {DEFAULT_TOLERANCE:e}]."
     )
 }
 
@@ -303,7 +304,7 @@ pub(super) struct Export {
     /// The folder for the files; it is made if there is none
     #[arg(long, value_name = "FOLDER")]
     pub(super) to: PathBuf,
-    /// In which variables
+    /// Variables of the program
     #[arg(long, value_name = "FORM", value_enum, default_value = "dense")]
     pub(super) form: Form,
 }

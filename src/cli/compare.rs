@@ -176,11 +176,11 @@ pub(super) fn text(input: &Input, comparison: &Comparison) -> String {
     text += &table(&format!("{}, {} intervals", input.title(), comparison.intervals), &header, &rows);
     text.push_str(&not_tried(comparison));
     text += &format!(
-        "\nCertified error: at most this far is the deflection from that of the beam, relative to its largest value.\n\
-         Certified: it solves its problem, and that error and those of support forces, contact force and energy are at most {};\n\
-         of beam theory, at most {}.\n\
-         Solver error: against the active-set answer on the same grid; model error: against beam theory.\n\
-         These two are the worst relative difference among end reactions, energy and largest deflection.\n",
+        "\nCertified error: proven bound on the deflection error, relative to the largest deflection.\n\
+         Certified: the answer solves its problem, and the proven errors of deflection, reactions, contact force and energy\n\
+         are at most {} of the largest value of each, or {} without a grid.\n\
+         Solver error: difference from the active-set answer on the same grid. Model error: difference from beam theory.\n\
+         Both are the largest relative difference of end reactions, energy and largest deflection.\n",
         share_at_most(USABLE),
         share_at_most(EXACT),
     );

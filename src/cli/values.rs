@@ -68,7 +68,7 @@ impl ValueEnum for GridMethod {
 pub(super) enum Form {
     /// clearances or contact forces alone, with a full matrix: a scene with a [body]
     Dense,
-    /// moments beside them
+    /// with moments as further variables
     Sparse,
     /// the same as one file in free MPS with `QUADOBJ`, in the units of the scene
     Qps,

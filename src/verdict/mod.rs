@@ -38,7 +38,7 @@
 //! assert!(certificate.energy_lower <= certificate.energy_upper);
 //! let verdict = Verdict::of_forces(certificate);
 //! assert_eq!(verdict.status, Status::NotCertified, "{verdict}");
-//! assert!(verdict.to_string().starts_with("the beam may be off by "), "{verdict}");
+//! assert!(verdict.to_string().starts_with("the deflection error may be "), "{verdict}");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -179,7 +179,7 @@ pub enum Refusal {
     #[error("it has numbers that are not finite")]
     NoNumbers,
     /// Nothing could be proven for the continuous beam.
-    #[error("no finite bound on how far the beam may be off could be proven")]
+    #[error("no finite error bound could be proven")]
     Unbounded,
     /// The bounds contradict each other; there is no such certificate.
     #[error(
@@ -216,7 +216,7 @@ pub enum Refusal {
         upper: f64,
     },
     /// The guaranteed error is larger than what is allowed.
-    #[error("the beam may be off by {} of its largest deflection, more than {}", any_share(*share), share_at_most(*most))]
+    #[error("the deflection error may be {} of the largest deflection, more than {}", any_share(*share), share_at_most(*most))]
     Error {
         /// Guaranteed error over the largest deflection.
         share: f64,
@@ -224,7 +224,7 @@ pub enum Refusal {
         most: f64,
     },
     /// The deflection is certain enough, and a number of the summary is not.
-    #[error("{of} may be off by {} of {}, more than {}", any_share(*share), of.kind(), share_at_most(*most))]
+    #[error("the error of {of} may be {} of {}, more than {}", any_share(*share), of.kind(), share_at_most(*most))]
     Number {
         /// Which.
         of: Number,
@@ -340,13 +340,15 @@ impl Verdict {
 
 impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let error = share_at_most(self.error);
         match self.refusal {
-            None if self.error == 0.0 => f.write_str("the deflection is certain")?,
-            None => write!(f, "the deflection is certain to {} of its largest value", share_at_most(self.error))?,
+            None if self.error == 0.0 => f.write_str("the deflection error is 0")?,
+            None => write!(f, "the deflection error is at most {error} of the largest deflection")?,
             Some(refusal) => write!(f, "{refusal}")?,
         }
         if let (None, Some((_, share))) = (self.refusal, self.worst.filter(|(_, share)| 0.0 < *share)) {
-            write!(f, ", each number of the summary to {} of the largest of its kind", share_at_most(share))?;
+            let share = share_at_most(share);
+            write!(f, ", the error of each number of the summary at most {share} of the largest of its kind")?;
         }
         let told = matches!(self.refusal, None | Some(Refusal::Error { .. }));
         if let Some(about) = self.certificate.as_ref().and_then(|c| c.up_to_a_turn).filter(|_| told) {

@@ -37,7 +37,7 @@ impl Number {
     /// leave of the load, and no better known than they are.
     pub(super) fn kind(self) -> &'static str {
         match self {
-            Self::Support(_) => "the largest support force",
+            Self::Support(_) => "the largest reaction",
             Self::ContactForce => "the largest force",
             Self::Deflection => "the largest deflection",
             Self::Energy => "its value",

@@ -104,9 +104,9 @@ fn change([old, new]: [&[ContactKind]; 2], [before, after]: [&[Contact]; 2]) -> 
         ([], [ContactKind::Zone(_)]) => format!("a zone of contact appears {}", places(after)),
         ([], [_]) => format!("a contact appears {}", places(after)),
         ([], _) => format!("contacts appear {}", places(after)),
-        ([ContactKind::Zone(_)], []) => format!("the zone {} goes", places(before)),
-        ([_], []) => format!("the contact {} goes", places(before)),
-        (_, []) => format!("the contacts {} go", places(before)),
+        ([ContactKind::Zone(_)], []) => format!("the zone {} is lost", places(before)),
+        ([_], []) => format!("the contact {} is lost", places(before)),
+        (_, []) => format!("the contacts {} are lost", places(before)),
         ([ContactKind::Zone(from)], [ContactKind::Zone(to)]) => {
             format!("the zone {} {}", places(before), ends(from, to))
         }

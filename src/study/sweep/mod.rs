@@ -25,7 +25,7 @@
 //! let events = sweep.events(&sweep.rows()?);
 //! let values: Vec<f64> = events.iter().map(|event| event.value).collect();
 //! assert!((values[0] - 20.0).abs() < 1e-12 && (values[1] - 100.0).abs() < 1e-11, "{events:?}");
-//! assert_eq!(events[1].what, "the contact at x = 5 goes; the regime changes from points to none");
+//! assert_eq!(events[1].what, "the contact at x = 5 is lost; the regime changes from points to none");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

@@ -55,13 +55,13 @@ fn certified_is_what_is_certain_to_a_tenth_or_to_what_is_demanded() {
     assert!(20 < certified && 20 < refused, "both sides of the border: {certified} and {refused}");
 }
 
-/// A beam that does not move is certain, and one whose witness was not the list of contacts says that the bound is coarse.
+/// A beam that does not move has no error, and one whose witness was not the list of contacts says that the bound is coarse.
 #[test]
 fn the_words_say_how_far() {
     let verdict = of_raw(&raw(30), &Demand::default());
     let [share, worst] = [verdict.error, verdict.worst.expect("a summary").1].map(share_at_most);
     let words = format!(
-        "the deflection is certain to {share} of its largest value, each number of the summary to {worst} of the largest of its kind"
+        "the deflection error is at most {share} of the largest deflection, the error of each number of the summary at most {worst} of the largest of its kind"
     );
     assert_eq!(verdict.to_string(), words);
 
@@ -77,14 +77,14 @@ fn the_words_say_how_far() {
         let words = (solution.verdict.status, solution.verdict.to_string());
         assert_eq!(
             words,
-            (Status::Certified, "the deflection is certain".to_owned()),
+            (Status::Certified, "the deflection error is 0".to_owned()),
             "exact, {:?}",
             scene.foundation()
         );
         for method in Method::ALL {
             let solution = palkki::solve(&scene, &Settings::new(method, Solver::ActiveSet, 30)).expect("an answer");
             let words = (solution.verdict.status, solution.verdict.to_string());
-            assert_eq!(words, (Status::Certified, "the deflection is certain".to_owned()), "{method}");
+            assert_eq!(words, (Status::Certified, "the deflection error is 0".to_owned()), "{method}");
         }
     }
 }

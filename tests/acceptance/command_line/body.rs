@@ -149,7 +149,7 @@ fn a_wrong_answer_is_refused_and_bounded_from_both_sides() {
         let found: Vec<_> = found.iter().filter_map(|violation| violation["condition"].as_str()).collect();
         assert_eq!(found, violated, "{answer}");
         let text = folder.run("certify body.toml answer.csv").out;
-        assert!(code == 0 || text.starts_with("not-certified: the clearances are off by at least "), "{text}");
+        assert!(code == 0 || text.starts_with("not-certified: the error of the clearances is at least "), "{text}");
     }
 }
 

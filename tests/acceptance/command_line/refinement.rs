@@ -65,8 +65,8 @@ fn a_post_between_two_nodes_is_not_certified() {
     assert_eq!((run.code, run.err.as_str()), (Some(1), ""));
     let line = run.out.lines().next().expect("a status");
     for words in [
-        "not-certified: it solves its grid, and the beam may be off by ",
-        " % of its largest deflection, more than 10 %: refine (--intervals), or ask for an error (--tolerance) (residual ",
+        "not-certified: it solves its grid, and the deflection error may be ",
+        " % of the largest deflection, more than 10 %: refine (--intervals), or ask for an error (--tolerance) (residual ",
     ] {
         assert!(line.contains(words), "{words:?} in {line}");
     }

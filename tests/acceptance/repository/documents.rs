@@ -118,7 +118,7 @@ fn the_scene_of_the_readme_is_one() {
 }
 
 /// What the README says is covered, with the lines of a scene that has it; a line that begins with `-` takes one away.
-const COVERED: [(&str, &str); 20] = [
+const COVERED: [(&str, &str); 22] = [
     ("uniform", "load.uniform = 0.7"),
     ("linear", "load.linear = [{ from = 1.0, to = 6.0, start = 0.5, end = 2.0 }]"),
     ("point loads", "load.point = [{ at = 3.0, force = 2.0 }]"),
@@ -126,8 +126,13 @@ const COVERED: [(&str, &str); 20] = [
     ("a bending stiffness in steps", "beam.bending_stiffness = { steps = [[0, 1.3], [4, 2.6]] }"),
     ("elastic joints", "beam.joints = [{ at = 4.0, stiffness = 2.0 }]"),
     ("hinges", "beam.joints = [{ at = 4.0 }]\nbeam.supports = [{ at = 0.0, built_in = true }, { at = 10.0 }]"),
+    ("an initial shape", "beam.shape = { polynomial = [0.0, 0.1, -0.01] }"),
     ("an axial force", "beam.tension = 2.0"),
     ("elastic bearings", "beam.supports = [{ at = 0.0 }, { at = 10.0, stiffness = 5.0 }]"),
+    (
+        "elastic stops",
+        "beam.supports = [{ at = 0.0 }, { at = 5.0, stiffness = 5.0, pushes_only = true }, { at = 10.0 }]",
+    ),
     ("flat", "foundation.depth = 1.0"),
     ("a polyline", "foundation.points = [[0, 1.0], [4, 0.5], [10, 1.0]]"),
     ("a survey", "foundation.survey = \"levels.csv\""),

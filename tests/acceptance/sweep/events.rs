@@ -15,7 +15,7 @@ fn the_borders_of_the_three_regimes_are_events() {
     let names = [
         [
             "the zone at x = 5 becomes a point; the regime changes from zone to points",
-            "the contact at x = 5 goes; the regime changes from points to none",
+            "the contact at x = 5 is lost; the regime changes from points to none",
         ],
         [
             "a contact appears at x = 5; the regime changes from none to points",

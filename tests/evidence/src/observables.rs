@@ -8,7 +8,7 @@ use crate::compare::{apart_if_any, largest};
 
 /// Their names: every support force over the largest, the contact force in total over the largest force, the deflection (worst node)
 /// over the largest, the moment (worst node, and at built-in ends) over the largest, the energy over its value.
-pub const NAMES: [&str; 5] = ["support forces", "contact force", "deflection", "moment", "energy"];
+pub const NAMES: [&str; 5] = ["reactions", "total contact force", "deflection", "moment", "energy"];
 
 /// The errors of a discretised answer, in the order of [`NAMES`]; infinite where there is nothing to compare.
 #[must_use]

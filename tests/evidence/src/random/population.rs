@@ -35,7 +35,7 @@ impl Family {
             Self::Crests => "smooth crests",
             Self::Surveys => "surveys",
             Self::Steps => "steps",
-            Self::Held => "held otherwise",
+            Self::Held => "other supports",
         }
     }
 

@@ -102,5 +102,5 @@ fn over_intervals(moments: &[Place], supports: &[Place]) -> Panel {
         .with(marks(moments, Color::VERMILLION))
         .with(marks(supports, Color::BLUE))
         .with(Layer::words(above, Color::VERMILLION, "worst nodal moment"))
-        .with(Layer::words(below, Color::BLUE, "support forces"))
+        .with(Layer::words(below, Color::BLUE, "reactions"))
 }

@@ -187,13 +187,13 @@ fn drawn(study: &Study<'_>, lines: &[Line], values: Value) -> Result<Drawn, Caus
 fn sentence(lines: &[Line]) -> String {
     let digits = |family: Family| {
         let factor = orders(lines, family, Method::Force, 0).map(one_digit);
-        format!("{} on {}", cell(factor.map(|s| s.median), 2), family.name())
+        format!("{} ({})", cell(factor.map(|s| s.median), 2), family.name())
     };
     format!(
-        "**One more correct digit of the reactions needs**, in the median of {} problems of each kind of foundation, so many times as many \
-         intervals: {}; the grid-free solution is accurate to rounding.",
-        SCENES[0],
-        Family::ALL.map(digits).join(", ")
+        "**For one more correct digit of the reactions multiply the intervals by** {}, the medians of {} problems each. The grid-free \
+         solution is accurate to rounding.",
+        Family::ALL.map(digits).join(", "),
+        SCENES[0]
     )
 }
 

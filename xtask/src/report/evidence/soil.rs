@@ -16,8 +16,8 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         "proven error",
         "elements, s",
         "systems",
-        "deflection off",
-        "moment off",
+        "deflection error",
+        "moment error",
     ];
     let rows = lines.iter().map(|line| {
         let proven = if line.is_certified() { error_cell(line.proven) } else { "not certified".to_owned() };

@@ -71,8 +71,8 @@ fn contact_table(method: &str, state: &ContactState, exact: &FlatSolution) -> Ta
     let columns = [
         of("contact begins at x", Quantity::LiftOff),
         ("first contact force", exact.end_force, first.unwrap_or(f64::NAN)),
-        of("resultant at lift-off", Quantity::PointForce),
-        ("whole contact force", exact.contact_force, state.contact_force()),
+        of("concentrated force at lift-off", Quantity::PointForce),
+        ("total contact force", exact.contact_force, state.contact_force()),
         of("end reaction", Quantity::EndReaction),
     ];
     compared("contact", method, &columns)
