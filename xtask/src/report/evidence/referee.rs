@@ -172,11 +172,11 @@ fn table() -> Table {
         "unknowns",
         "solver",
         "its tolerance",
-        "it says",
+        "solver message",
         "residual",
-        "off by at least",
-        "off by at most",
-        "`certify` says",
+        "error at least",
+        "error at most",
+        "`certify`",
     ])
 }
 
@@ -201,7 +201,7 @@ fn random() -> (Value, Table) {
             runs.push(run);
         }
     }
-    let header = ["solver", "its tolerance", "answers", "says solved", "of these wrong", "of the wrong ones certified"];
+    let header = ["solver", "its tolerance", "answers", "reported solved", "of these wrong", "of the wrong ones certified"];
     let counts = runs.iter().filter_map(|runs| {
         let first = runs.first()?;
         let wrong = || runs.iter().filter(|run| run.misleads());

@@ -209,9 +209,9 @@ fn rule_table(rigid: &Rigid) -> Result<Table, Cause> {
         "digits",
         "λa",
         "k u/q",
-        "the load alone sinks the ground by, over u",
-        "reaction off by",
-        "largest moment off by",
+        "settlement under the load alone, over u",
+        "error of the reaction",
+        "error of the largest moment",
     ]);
     for digits in DIGITS {
         let lever = (0.5 * ten_to(digits)).cbrt();

@@ -220,11 +220,11 @@ fn tolerances(study: &Study<'_>) -> Result<Value, Cause> {
     let places = |exact: &Exact| exact.state.contacts.iter().flat_map(|c| [c.from, c.to]).collect::<Vec<f64>>();
     let mut table = Table::new([
         "tolerance [mm]",
-        "guaranteed: J from, to [kN m]",
-        "estimate: left reaction off by [kN]",
-        "drawn with the same contacts",
-        "farthest of these [kN]",
-        "farthest of all drawn [kN]",
+        "proven J: from, to [kN m]",
+        "estimated error of the left reaction [kN]",
+        "surveys with the same contacts",
+        "maximum error of these [kN]",
+        "maximum error of all [kN]",
     ]);
     let mut random = Random::new(15);
     for tolerance in TOLERANCES {

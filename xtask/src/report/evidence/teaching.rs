@@ -235,7 +235,7 @@ fn jumps(scene: &Scene) -> Result<Value, Cause> {
 fn crest(scene: &Scene) -> Result<Value, Cause> {
     let solution = exact_theory::solve(scene)?;
     let contact = solution.state.contacts.first().ok_or("the beam touches the crest")?;
-    let header = ["intervals", "contact at", "off by", "error of the left reaction", "error over distance"];
+    let header = ["intervals", "contact at", "position error", "error of the left reaction", "error over distance"];
     let mut table = Table::new(header.into_iter().chain(["error of the energy"]));
     for n in CREST {
         let state = on_grid(scene, Method::Force, Solver::ActiveSet, n)?.state;

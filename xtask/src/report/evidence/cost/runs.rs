@@ -17,10 +17,10 @@ fn questions(store: &Store) -> Table {
     let header = [
         "library",
         "runs",
-        "says solved",
-        "says almost solved, and fails our check",
-        "did what it was asked, in its own norm",
-        "of these solved by our check",
+        "reported solved",
+        "reported almost solved, fails our check",
+        "own residuals within the tolerance",
+        "of these pass our check",
     ];
     Table::new(header).rows(LIBRARIES.map(|library| {
         let runs = || {
