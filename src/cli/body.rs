@@ -193,7 +193,7 @@ fn bounds(input: &Input<Body>, certificate: &Certificate, least: Option<f64>) ->
     rows.push(vec![labels.length.name("largest error of a clearance"), least, magnitude_at_most(error)]);
     let of_force = labels.force.name("largest error of a contact force");
     rows.push(vec![of_force, "0".to_owned(), magnitude_at_most(force_error)]);
-    table("Guaranteed", &["", BRACKET[0], BRACKET[1]], &rows)
+    table("Error bounds", &["", BRACKET[0], BRACKET[1]], &rows)
 }
 
 /// `compare`: every solver.

@@ -88,11 +88,11 @@ impl Local {
         if let Some(known) = &self.depth_tolerance {
             let [lower, upper] = known.guaranteed.energy;
             let none = || "not known".to_owned();
-            text += &format!("\nIf each depth may be off by {}\n", magnitude(known.tolerance));
+            text += &format!("\nIf each depth has an error of up to {}\n", magnitude(known.tolerance));
             let mut lines = vec![
-                ("guaranteed: the beam touches".to_owned(), known.guaranteed.contact.name().to_owned()),
+                ("proven: the beam touches".to_owned(), known.guaranteed.contact.name().to_owned()),
                 (
-                    format!("guaranteed: {}", labels.moment.name("energy J*")),
+                    format!("proven: {}", labels.moment.name("energy J*")),
                     format!(
                         "{} {} {} {}",
                         BRACKET[0],
@@ -106,8 +106,8 @@ impl Local {
             for (i, spread) in
                 known.estimates.iter().flat_map(|spread| spread.supports.iter().enumerate().take(MOST_ROWS))
             {
-                let name = labels.force.name(&format!("force of support {}", i + 1));
-                lines.push((format!("estimate: {name} off by"), magnitude(*spread)));
+                let name = labels.force.name(&format!("error of reaction {}", i + 1));
+                lines.push((format!("estimated: {name}"), magnitude(*spread)));
             }
             text += &list(&lines);
         }

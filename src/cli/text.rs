@@ -78,7 +78,7 @@ fn text_of(certificate: &Certificate, mut rows: Vec<Row>, left_out: &str, labels
     }));
     let error = magnitude_at_most(certificate.deflection_error);
     rows.push(vec![labels.length.name("error of the deflection"), "0".to_owned(), error]);
-    let mut table = table("Guaranteed for the continuous beam", &["", BRACKET[0], BRACKET[1]], &rows) + left_out;
+    let mut table = table("Error bounds for the continuous beam", &["", BRACKET[0], BRACKET[1]], &rows) + left_out;
     if let Some(about) = certificate.up_to_a_turn {
         table += &format!(
             "The deflection is bounded up to a rotation about x = {}: its slope there is not determined.\n",
@@ -223,7 +223,7 @@ fn support_at(at: f64, length: f64, is_only: bool, labels: &Labels) -> String {
     }
 }
 
-/// How a beam stands that its supports do not hold.
+/// Whether a beam that its supports do not hold turns over.
 fn stands(standing: &Standing, labels: &Labels) -> String {
     let Standing { resultant, margin, motion } = standing;
     let margin_in_words =
@@ -238,7 +238,7 @@ fn stands(standing: &Standing, labels: &Labels) -> String {
         rows.push(vec![labels.length.name("free to turn about"), labels.number(*about)]);
         rows.push(vec!["with slopes there".to_owned(), format!("from {} to {}", end(least), end(most))]);
     }
-    table("How it stands", &["", ""], &rows)
+    table("Stability against overturning", &["", ""], &rows)
 }
 
 fn contacts(contacts: &[Contact], labels: &Labels) -> String {

@@ -175,7 +175,7 @@ pub enum End {
         refusal: Refusal,
     },
     /// Finer grids do not make the error smaller: rounding, or something that cannot be proven.
-    #[error("not reached: up to {intervals} intervals, finer grids have stopped making the guaranteed error smaller")]
+    #[error("not reached: up to {intervals} intervals, finer grids no longer reduce the proven error")]
     Stalled {
         /// The finest grid that was tried.
         intervals: usize,

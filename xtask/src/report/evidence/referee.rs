@@ -201,7 +201,8 @@ fn random() -> (Value, Table) {
             runs.push(run);
         }
     }
-    let header = ["solver", "its tolerance", "answers", "reported solved", "of these wrong", "of the wrong ones certified"];
+    let header =
+        ["solver", "its tolerance", "answers", "reported solved", "of these wrong", "of the wrong ones certified"];
     let counts = runs.iter().filter_map(|runs| {
         let first = runs.first()?;
         let wrong = || runs.iter().filter(|run| run.misleads());
