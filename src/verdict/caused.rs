@@ -1,34 +1,39 @@
-//! The beam that contact forces from elsewhere bend, where statics does not say how: with supports that give, hinges or an axial force.
+//! The deflection caused by given contact forces where statics alone does not determine it.
 //!
-//! It is what beam theory says of the same beam without its ground, with the forces as loads. Forces on an elastic foundation are spread as
-//! those of its springs are. A support that gives exerts what its law gives: where nothing but it can press, a force that is given at its
-//! place is compared with that, and bends nothing.
-//! A beam that its supports do not hold touches the ground where some of the forces are, and those that equilibrium needs take their place.
-//! Of the others the next is that which turns most about the nearest place that holds the beam.
+//! These are beams on elastic supports, with hinges or under an axial force.
+//!
+//! Beam theory solves the same beam without its foundation, with the given forces as loads. On an elastic foundation the forces are
+//! spread over the beam like the forces of its springs. An elastic support exerts the force of its own law. Where only an elastic
+//! support can press, a force given at its position does not bend the beam: it is compared with the law of the support.
+//!
+//! If its supports do not hold the beam, some of the given forces become supports on the foundation, and equilibrium determines their
+//! reactions. The next position to hold is the one whose force has the largest moment about the nearest position that is already
+//! held.
 
 use crate::certificate::{ContactLoad, Hung, Violation, ViolationKind, spread};
 use crate::scene::{LinearLoad, Load, PointLoad, Scale, Scene, SceneError, Support, is_same_place};
 use crate::theory::{self, Exact};
 
-/// Forces that are farther from a law than this share of the loads violate it: rounding of some digits that were printed is none.
+/// A force that deviates from its law by more than this share of the loads is a violation; a smaller deviation can be the rounding of
+/// printed digits.
 const ROUNDING: f64 = 1e-9;
 
-/// What forces do to a beam.
+/// The deflection that given contact forces cause, and the conditions that the forces violate.
 #[derive(Debug)]
 pub(crate) struct Caused {
-    /// Its deflection, in the units that were asked for.
+    /// The deflection, in the units of the caller.
     pub(crate) curve: Vec<Hung>,
-    /// Forces that are not those of supports that give, and those that are not in balance with the loads.
+    /// Forces that deviate from the laws of elastic supports, and forces that are not in balance with the loads.
     pub(crate) violations: Vec<Violation>,
 }
 
 impl Caused {
-    /// Of forces on the beam of a scene, in these units; [`None`] if they do not hold it. Those on an elastic foundation are spread, or act at
-    /// nodes.
+    /// Solves the beam of a scene under given forces, in these units; [`None`] if they do not hold it. On an elastic foundation the
+    /// forces are spread, unless they act at nodes (`at_nodes`).
     ///
     /// # Errors
     ///
-    /// [`SceneError::NotKnown`] of a beam that an elastic foundation holds.
+    /// [`SceneError::NotKnown`] for a beam that only an elastic foundation holds.
     pub(crate) fn of(
         scene: &Scene,
         forces: &ContactLoad,
@@ -56,17 +61,17 @@ impl Caused {
     }
 }
 
-/// The forces that are given, by what they are.
+/// The given forces, sorted by their cause.
 struct Given {
-    /// Places and forces of what presses on the beam besides its supports.
+    /// Positions and forces of the contacts that load the beam.
     contacts: Vec<(f64, f64)>,
-    /// Those at places where nothing but a support that gives can press.
+    /// Forces at positions where only an elastic support can press.
     own: Vec<(f64, f64)>,
-    /// Those that hold the beam.
+    /// Forces that the solution replaces by supports on the foundation.
     holding: Vec<(f64, f64)>,
-    /// What it stands on: its supports but those that only push and do not give, and places of the ground.
+    /// The supports of the beam, except rigid compression-only supports, and the positions held by the foundation.
     supports: Vec<Support>,
-    /// Whether forces are spread.
+    /// Whether the forces are spread over the beam.
     is_spread: bool,
 }
 
@@ -81,7 +86,8 @@ impl Given {
         Self { contacts, own, holding: Vec::new(), supports, is_spread }
     }
 
-    /// Whether its supports and the stops that it presses hold the beam in an answer: in balance but for rounding it may be anywhere.
+    /// Whether the supports, with the compression-only supports that are pressed in `exact`, hold the beam. If they do not, its
+    /// position is undetermined even where the loads balance to rounding.
     fn is_held(&self, scene: &Scene, exact: &Exact) -> bool {
         let length = scene.beam().length();
         let least = ROUNDING * scene.load().magnitude(length);
@@ -91,12 +97,13 @@ impl Given {
         self.free_motions_on(scene, presses) == 0
     }
 
-    /// In how many ways the beam may move without bending on what holds it both ways.
+    /// The number of rigid-body motions that the two-way supports leave free.
     fn free_motions(&self, scene: &Scene) -> usize {
         self.free_motions_on(scene, |_| false)
     }
 
-    /// The same with the stops that are pressed; under tension any place holds it.
+    /// The number of rigid-body motions left free when the supports for which `presses` is true hold as well. A beam in tension needs
+    /// only one support of any kind.
     fn free_motions_on(&self, scene: &Scene, presses: impl Fn(&Support) -> bool) -> usize {
         let mut holding = self.supports.iter().filter(|support| !support.pushes_only || presses(support));
         if 0.0 < scene.beam().tension() {
@@ -105,7 +112,7 @@ impl Given {
         scene.beam().free_motions(holding)
     }
 
-    /// Takes the next place where the ground holds the beam; false if there is none.
+    /// Turns the next contact into a support on the foundation; false if no contact is left that helps.
     fn hold(&mut self, scene: &Scene) -> bool {
         let (beam, free) = (scene.beam(), self.free_motions(scene));
         let apart = |x: f64| {
@@ -133,7 +140,7 @@ impl Given {
         false
     }
 
-    /// The beam without its ground.
+    /// The beam without its foundation, with the contact forces as loads.
     fn scene(&self, scene: &Scene, forces: &ContactLoad) -> Result<Scene, SceneError> {
         let (beam, load) = (scene.beam().clone().with_supports(self.supports.clone())?, scene.load());
         let (mut linear, mut point) = (load.linear().to_vec(), load.point().to_vec());
@@ -160,7 +167,7 @@ impl Given {
         Scene::new(beam, load, None)
     }
 
-    /// Forces that are not those of supports that give, and what is missing for balance.
+    /// The largest deviation from the law of an elastic support, and the largest force that equilibrium does not confirm.
     fn violations<'a>(&'a self, scene: &'a Scene, exact: &'a Exact) -> impl Iterator<Item = Violation> + 'a {
         let length = scene.beam().length();
         let all = scene.load().magnitude(length);

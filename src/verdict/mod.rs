@@ -1,25 +1,25 @@
-//! What `certified` means, in one place: which conditions an answer has to meet, and the message on how far it may be off,
-//! certified or not.
+//! The definition of `certified`: the conditions that an answer has to meet, and the message that states its error bound.
 //!
-//! The check ([`crate::certificate`]) measures and does not decide: it computes a residual of the discrete problem, and bounds for
-//! the continuous beam. An answer is **certified** if all of this holds.
+//! The check ([`crate::certificate`]) measures and does not decide. It computes a residual of the discrete problem and bounds for the
+//! continuous beam. An answer is **certified** if it satisfies all of these conditions:
 //!
 //! | | a method on a grid | beam theory |
 //! |---|---|---|
-//! | its own problem | the worst of the KKT residuals is at most [`CERTIFIED_RESIDUAL`], or what was [demanded](Demand) | every condition holds everywhere, to 12 digits |
-//! | the certificate | there is one: all bounds are finite, `energy_lower ≤ energy_upper`, `0 ≤ gap` | the same |
-//! | its own numbers | the deflection that is judged is that of its nodes | its largest deflection differs from the one that is judged by no more than `deflection_error`, and by no more than half of it; its energy is between the bounds |
-//! | the error | `deflection_error` ≤ share × largest deflection, the share being [`USABLE`] or what was [demanded](Demand), whichever is smaller | the same with [`EXACT`] |
-//! | each [`Number`] of its summary | no value of its bracket is farther from it than share × the largest of its kind, and what rounding makes of such a sum | the same with [`EXACT`] |
+//! | its own problem | the largest KKT residual is at most [`CERTIFIED_RESIDUAL`], or what was [demanded](Demand) | every condition is satisfied along the whole beam, to 12 digits |
+//! | the certificate | it exists: all bounds are finite, `energy_lower ≤ energy_upper`, `0 ≤ gap` | the same |
+//! | its own numbers | the judged deflection is the deflection of its nodes | its largest deflection differs from the judged one by at most `deflection_error` and at most half of the judged deflection; its energy is between the bounds |
+//! | the error | `deflection_error` ≤ share × largest deflection, where the share is [`USABLE`] or what was [demanded](Demand), whichever is smaller | the same with [`EXACT`] |
+//! | each [`Number`] of its summary | no value in its bracket differs from the number by more than share × the largest value of that quantity, plus the rounding of the sum | the same with [`EXACT`] |
 //!
-//! A beam that is proven to be at rest, with an answer that is at rest too, has the error zero, and so has one that is proven to be
-//! straight but for a turn: a share of no deflection is undefined.
-//! The deflection of a beam that may turn freely about a place is judged after the turn that fits best, and the message has the place.
+//! If beam and answer are both proven to be at rest, the error is zero, because a share of zero is undefined. The same applies to a
+//! beam proven to be straight apart from a rotation. If the beam can rotate freely about a position, its deflection is judged after
+//! the rotation that fits best, and the message names the position.
 //!
-//! So no answer is certified that may be far from the beam, however well it solves its grid. Where an error is demanded
-//! ([`crate::adaptive`]), it counts in what the solver left undone, and the residual may be as large as a tenth of it.
-//! Contact forces from elsewhere have no problem and no summary of their own: of them the certificate and the error count
-//! ([`Verdict::of_forces`]). A single contact force, its place and a moment of a grid have no bracket, and nothing is said of them.
+//! So an answer that solves its grid well is not certified if it may be far from the beam. Where an error is demanded
+//! ([`crate::adaptive`]), the error bound includes what the solver left undone, and the residual may be up to a tenth of that error.
+//! Contact forces from elsewhere have no discrete problem and no summary. For them only the certificate and the error count
+//! ([`Verdict::of_forces`]). A single contact force on a grid, its position and a moment on a grid have no bracket and are not
+//! covered.
 //!
 //! ```
 //! use palkki::Witness;
@@ -30,9 +30,9 @@
 //!
 //! let beam = Beam::new(10.0, 500.0 / 384.0)?;
 //! let scene = Scene::new(beam.clone(), Load::uniform_on(&beam, 1.0)?, Some(Foundation::Flat { depth: 1.0 }))?;
-//! // What some program found: places, and forces of the foundation on the beam, upwards.
+//! // The result of another program: positions, and forces of the foundation on the beam, upwards.
 //! let forces = ContactLoad::new(10.0, vec![(2.4, 1.45), (3.2, 0.9), (4.1, 0.9), (5.0, 1.1), (5.9, 0.9), (6.8, 0.9), (7.6, 1.45)])?;
-//! // Bounds are proven from a list of contacts: that of beam theory, if it has one.
+//! // Bounds are proven from a candidate contact list. It comes from beam theory if theory has a solution.
 //! let witness = Witness::of(&scene);
 //! let certificate = witness.judge(Judged::Forces(&forces), &[])?;
 //! assert!(certificate.energy_lower <= certificate.energy_upper);
@@ -60,36 +60,37 @@ use self::summary::{ENERGY, apart, deflection_rounding, energy_size, flaw, is_un
 
 pub use self::summary::Number;
 
-/// Share of its largest value to which a deflection has to be certain: a tenth, what the paper calls usable.
+/// The largest deflection error of a certified answer, as a share of the largest deflection: a tenth, the accuracy that the paper
+/// calls usable.
 pub const USABLE: f64 = 0.1;
 
-/// The same of beam theory, which has no discretisation error.
+/// The same limit for beam theory, which has no discretisation error.
 pub const EXACT: f64 = 1e-6;
 
-/// Our verdict on an answer, independent of what the solver reports unless the answer fails.
+/// Our verdict on an answer. What the solver reports matters only if the answer fails our check.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
 pub enum Status {
-    /// The answer passes our own check, and its deflection is certain enough.
+    /// The answer passes our check, and its error bound is small enough.
     Certified,
-    /// An answer came back and fails it.
+    /// The solver reports success, but the answer fails our check.
     NotCertified,
-    /// The solver gave up, and what it had fails our check.
+    /// The solver reports no success, and its answer fails our check.
     NotConverged,
 }
 
 impl Status {
-    /// Every status.
+    /// All statuses.
     pub const ALL: [Self; 3] = [Self::Certified, Self::NotCertified, Self::NotConverged];
 
-    /// That of several answers together, of which enough are certified, or not.
+    /// The status of several answers together; `enough` says whether enough of them are certified.
     #[must_use]
     pub fn of_several(enough: bool) -> Self {
         if enough { Self::Certified } else { Self::NotCertified }
     }
 
-    /// The only place that returns `Certified`: for an answer that passes its checks, whatever its solver reports. For another one
-    /// the status depends on whether the solver reports success.
+    /// The only function that returns `Certified`: for an answer that passes its checks, whatever its solver reports. For any other
+    /// answer the status depends on whether the solver reports success.
     pub(crate) fn of(passes: bool, reports_success: bool) -> Self {
         match (passes, reports_success) {
             (true, _) => Self::Certified,
@@ -98,20 +99,20 @@ impl Status {
         }
     }
 
-    /// Of an answer for a [body](crate::body), which has no discretisation error: from the largest errors of its clearances, contact
-    /// forces and energy, each as a share of the largest of its kind, and what was demanded.
+    /// The status of an answer for a [body](crate::body), which has no discretisation error. `errors` are the largest errors of its
+    /// clearances, contact forces and energy, each as a share of the largest value of that quantity.
     #[must_use]
     pub(crate) fn of_body(errors: [f64; 3], demanded: f64, reports_success: bool) -> Self {
         Self::of(errors.iter().all(|error| Self::is_certain(*error, demanded)), reports_success)
     }
 
-    /// Whether one of these errors is as small as it has to be.
+    /// Whether an error is at most what was demanded and at most [`EXACT`].
     #[must_use]
     pub(crate) fn is_certain(error: f64, demanded: f64) -> bool {
         within(error, demanded.min(EXACT))
     }
 
-    /// The word that JSON and report use.
+    /// The word used in JSON and in the report.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -128,13 +129,12 @@ impl fmt::Display for Status {
     }
 }
 
-/// The accuracy that an answer must have.
+/// The accuracy that is demanded of an answer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Demand {
-    /// Largest residual of the discrete problem; not used for beam theory, which has conditions of its own.
+    /// Largest residual of the discrete problem. Beam theory has its own conditions and does not use it.
     pub residual: f64,
-    /// Largest guaranteed error of the deflection, as a share of the largest deflection; of beam theory never more than
-    /// [`EXACT`].
+    /// Largest error bound of the deflection, as a share of the largest deflection; for beam theory at most [`EXACT`].
     pub error: f64,
 }
 
@@ -145,7 +145,7 @@ impl Default for Demand {
 }
 
 impl Demand {
-    /// A guaranteed error of the deflection of at most `share` of the largest deflection, and never more than [`USABLE`].
+    /// Demands an error bound of the deflection of at most `share` of the largest deflection, and never more than [`USABLE`].
     #[must_use]
     pub fn of_error(share: f64) -> Self {
         let error = share.min(USABLE);
@@ -153,111 +153,112 @@ impl Demand {
     }
 }
 
-/// Why an answer is not certified.
+/// The reason why an answer is not certified.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum Refusal {
-    /// It does not solve its own discrete problem.
+    /// The answer does not solve its own discrete problem.
     #[error("the residual of its discrete problem is {residual:.1e}, more than {most:.0e}")]
     Residual {
-        /// The worst of the KKT residuals.
+        /// The largest KKT residual.
         residual: f64,
-        /// What was allowed.
+        /// The largest residual allowed.
         most: f64,
     },
-    /// The solver gives no answer, or one that is not all numbers.
+    /// The solver returns no answer, or an answer that contains NaN or infinity.
     #[error("there is no answer to its discrete problem")]
     NoAnswer,
-    /// It violates conditions of beam theory.
+    /// The answer violates a condition of beam theory.
     #[error(
         "it violates a condition of beam theory by {residual:.1e}, relative to the largest deflection or moment, or to forces beside it"
     )]
     Theory {
-        /// The worst violation.
+        /// The largest violation.
         residual: f64,
     },
-    /// Its numbers are not all finite.
+    /// Some numbers of the answer are not finite.
     #[error("it has numbers that are not finite")]
     NoNumbers,
-    /// Nothing could be proven for the continuous beam.
+    /// No finite bound could be proven for the continuous beam.
     #[error("no finite error bound could be proven")]
     Unbounded,
-    /// The bounds contradict each other; there is no such certificate.
+    /// The bounds contradict each other, so the certificate is invalid.
     #[error(
         "its bounds contradict each other: the energy lies above {lower:?} and below {upper:?}, with a gap of {gap:?}"
     )]
     Contradiction {
         /// Lower bound of the energy.
         lower: f64,
-        /// Upper bound.
+        /// Upper bound of the energy.
         upper: f64,
-        /// Bound on their distance.
+        /// Bound on the difference between the two.
         gap: f64,
     },
-    /// Its largest deflection is not the one that its contacts make.
+    /// The largest deflection of the answer is not the one that its contacts imply.
     #[error(
         "its largest deflection is {own:?}, but its contacts make it {judged:?} with an error of at most {error:.1e}"
     )]
     Deflection {
-        /// Its own.
+        /// The largest deflection of the answer.
         own: f64,
-        /// That of the contacts.
+        /// The largest deflection implied by the contacts.
         judged: f64,
-        /// The guaranteed error.
+        /// The error bound of the judged deflection.
         error: f64,
     },
-    /// Its energy is not between the bounds that its contacts prove.
+    /// The energy of the answer is outside the bounds proven from its contacts.
     #[error("its energy is {own:?}, but its contacts prove that it lies between {lower:?} and {upper:?}")]
     Energy {
-        /// Its own.
+        /// The energy of the answer.
         own: f64,
         /// Lower bound.
         lower: f64,
         /// Upper bound.
         upper: f64,
     },
-    /// The guaranteed error is larger than what is allowed.
+    /// The error bound is larger than allowed.
     #[error("the deflection error may be {} of the largest deflection, more than {}", any_share(*share), share_at_most(*most))]
     Error {
-        /// Guaranteed error over the largest deflection.
+        /// Error bound of the deflection over the largest deflection.
         share: f64,
-        /// What is allowed.
+        /// The largest share allowed.
         most: f64,
     },
-    /// The deflection is certain enough, and a number of the summary is not.
+    /// The deflection is accurate enough, but a number of the summary is not.
     #[error("the error of {of} may be {} of {}, more than {}", any_share(*share), of.kind(), share_at_most(*most))]
     Number {
-        /// Which.
+        /// The number.
         of: Number,
-        /// Guaranteed error over the largest of its kind.
+        /// Its error bound over the largest value of that quantity.
         share: f64,
-        /// What is allowed.
+        /// The largest share allowed.
         most: f64,
     },
 }
 
-/// A share that may be without bound, as it is of a deflection that is zero.
+/// A share as text; it is infinite if the largest deflection is zero.
 fn any_share(share: f64) -> String {
     if share.is_finite() { share_at_most(share) } else { "any share".to_owned() }
 }
 
-/// The status with its reason and bounds. Displayed, it is a message on how far the beam may be off, or what else is wrong.
+/// The status with its reason and bounds. Displayed, it is a message that states the error bound of the deflection or the reason for
+/// the refusal.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verdict {
     /// Certified or not.
     pub status: Status,
-    /// The bounds; none if the forces are no numbers.
+    /// The bounds; none if the contact forces are not finite.
     pub certificate: Option<Certificate>,
-    /// Guaranteed error of the deflection over the largest deflection of the answer; infinite where nothing could be shown.
+    /// Error bound of the deflection over the largest deflection of the answer; infinite if nothing could be proven.
     pub error: f64,
-    /// The number of its summary that is known worst, with its guaranteed error over the largest of its kind; none of contact forces
-    /// from elsewhere.
+    /// The number of the summary with the largest relative error bound, and this bound over the largest value of that quantity; none
+    /// for contact forces from elsewhere.
     pub worst: Option<(Number, f64)>,
-    /// Why it is not certified; none if it is.
+    /// The reason why the answer is not certified; none if it is.
     pub refusal: Option<Refusal>,
 }
 
 impl Verdict {
-    /// On the answer of a method on a grid.
+    /// Judges the answer of a method on a grid.
     #[must_use]
     pub fn of_raw(raw: &Solution<()>, witness: &Witness<'_>, demand: &Demand) -> Self {
         let own = match raw.residual {
@@ -270,7 +271,7 @@ impl Verdict {
         Self::new(certificate, Some((scene, &raw.state)), own, demand.error, raw.run.reports_success)
     }
 
-    /// On the answer of beam theory, whose contacts are its own witness.
+    /// Judges the answer of beam theory. Its own contacts are the candidate contact list.
     #[must_use]
     pub fn of_exact(scene: &Scene, exact: &Exact, demand: &Demand) -> Self {
         let certificate = ExactContacts::of(exact).proof(scene).map(|proof| proof.judge(Judged::Witness));
@@ -281,23 +282,24 @@ impl Verdict {
         };
         let most = demand.error.min(EXACT);
         let size = exact.state.deflection.magnitude();
-        // What is printed is its own deflection: its distance from the one that is judged counts as well.
+        // The answer prints its own deflection, so the difference from the judged one counts as well.
         let certificate = certificate.map(|c| {
             let off = apart(&c, size);
-            // The one that is judged is known to lie between two bounds, and may be at the farther one.
+            // The judged deflection is known only between two bounds and may be at the farther one.
             let off = if 0.0 < off { off + (c.deflection - c.deflection_at_least) } else { 0.0 };
             Certificate { deflection_error: c.deflection_error + off, ..c }
         });
         Self::new(certificate, Some((scene, &exact.state)), own, most, exact.converged)
     }
 
-    /// On contact forces alone, without a grid: the deflection that they cause is judged.
+    /// Judges contact forces alone, without a grid, by the deflection that they cause.
     #[must_use]
     pub fn of_forces(certificate: Certificate) -> Self {
         Self::new(Some(certificate), None, None, USABLE, true)
     }
 
-    /// From the certificate, the answer if it has a summary, what is wrong with how it solves its own problem, and the largest error.
+    /// Builds the verdict from the certificate, the answer if it has a summary, the flaw found in its own problem, and the largest
+    /// error allowed.
     fn new(
         certificate: Option<Certificate>,
         answer: Option<(&Scene, &ContactState)>,
@@ -311,7 +313,7 @@ impl Verdict {
         });
         let known = certificate.as_ref().zip(answer);
         let worst = known.and_then(|(c, (scene, state))| {
-            // Not a number counts as the worst of all.
+            // `total_cmp` sorts NaN above every number, so NaN counts as the largest error.
             shares(c, scene, state).max_by(|a, b| a.1.total_cmp(&b.1))
         });
         let refusal = own
@@ -325,13 +327,13 @@ impl Verdict {
         Self { status, certificate, error, worst, refusal }
     }
 
-    /// The larger one of the guaranteed errors of the deflection and of the numbers of the summary.
+    /// The larger of two relative error bounds: of the deflection, and of the numbers of the summary.
     #[must_use]
     pub fn largest_error(&self) -> f64 {
         self.worst.map_or(self.error, |(_, share)| if share <= self.error { self.error } else { share })
     }
 
-    /// Whether it solves its discrete problem, or meets the conditions of theory, however far that is from the beam.
+    /// Whether the answer solves its discrete problem or satisfies the conditions of theory, however far it is from the beam.
     #[must_use]
     pub fn solves_its_problem(&self) -> bool {
         matches!(self.refusal, None | Some(Refusal::Error { .. } | Refusal::Number { .. } | Refusal::Unbounded))
@@ -362,8 +364,8 @@ impl fmt::Display for Verdict {
     }
 }
 
-/// Bounds for an answer, in the units of the scene; none if its contact forces are no numbers. Of a grid the deflection at its
-/// nodes is judged, of beam theory the one that its contacts make, which are their own witness.
+/// Bounds for an answer, in the units of the scene; none if its contact forces are not finite. On a grid the nodal deflection is
+/// judged, for beam theory the deflection implied by its contacts, which are the candidate contact list.
 #[must_use]
 pub fn certificate(state: &ContactState, witness: &Witness<'_>) -> Option<Certificate> {
     let Some(nodes) = &state.nodes else {
@@ -375,16 +377,15 @@ pub fn certificate(state: &ContactState, witness: &Witness<'_>) -> Option<Certif
     witness.judge(Judged::Nodes(nodes), &state.touched()).ok()
 }
 
-/// An exact answer is judged by the places of its contacts: its own deflection has to be the one that they make.
-///
-/// And its energy lies between the bounds that they prove: a beam that is not held where it should be has too little of it.
+/// Checks the deflection and the energy of an exact answer against its contacts, from which the bounds are proven. An answer that
+/// does not hold the beam where it should has too low an energy.
 fn differs_from_bounds(scene: &Scene, certificate: &Certificate, state: &ContactState) -> Option<Refusal> {
     let Certificate { deflection: judged, deflection_error: error, .. } = *certificate;
     let Certificate { energy_lower: lower, energy_upper: upper, .. } = *certificate;
     let own = state.deflection.magnitude();
-    // Within a bound of more than half the deflection any deflection would do.
+    // If the bound is larger than half of the deflection, it would accept almost any deflection.
     let most = error.min(0.5 * judged) + deflection_rounding(scene, state);
-    // Where nothing is finite this is false, and `flaw` refuses.
+    // If a value is not finite, this comparison is false and `flaw` refuses the answer.
     if most < apart(certificate, own) {
         return Some(Refusal::Deflection { own, judged, error });
     }
@@ -393,7 +394,7 @@ fn differs_from_bounds(scene: &Scene, certificate: &Certificate, state: &Contact
     outside.then_some(Refusal::Energy { own: state.energy, lower, upper })
 }
 
-/// Not true of NaN.
+/// Whether `value` is at most `most`; false for NaN.
 fn within(value: f64, most: f64) -> bool {
     value <= most
 }

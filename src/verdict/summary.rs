@@ -1,4 +1,4 @@
-//! The numbers of the summary of an answer, and how far each may be off, by the bracket that the certificate has for it.
+//! The numbers in the summary of an answer, and the error bound of each from its bracket in the certificate.
 
 use std::fmt;
 
@@ -7,34 +7,34 @@ use crate::certificate::Certificate;
 use crate::scene::Scene;
 use crate::state::ContactState;
 
-/// Rounding of the numbers of an answer, as a share of the largest of them: what its own last digits may be off besides the
-/// guaranteed error.
+/// Rounding of the numbers of an answer, as a share of the largest of them: the last digits may be off by this much in addition to
+/// the error bound.
 const ROUNDING: f64 = 1e-12;
 
-/// What is left of loads or levels that cancel, as a share of them: some sixteen last digits.
+/// Rounding error of loads or levels that cancel, as a share of them: sixteen units in the last place.
 const LAST_DIGITS: f64 = 16.0 * f64::EPSILON;
 
-/// The same as [`ROUNDING`] for its energy: twelve digits of places and forces leave nine of a sum that may cancel.
+/// The same as [`ROUNDING`] for the energy: positions and forces with twelve digits leave nine digits of a sum whose terms may cancel.
 pub(super) const ENERGY: f64 = 1e-9;
 
-/// A number of the summary of an answer, which has a bracket.
+/// A number in the summary of an answer, which has a bracket in the certificate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Number {
-    /// The force of a support, counted from the left, from 0.
+    /// The reaction of a support, counted from the left, from 0.
     Support(usize),
-    /// The contact force in total.
+    /// The total contact force.
     ContactForce,
     /// The greatest deflection.
     Deflection,
     /// The energy.
     Energy,
-    /// The greatest or the least moment of beam theory, which has to be in its bracket, however wide that is.
+    /// The greatest or the least moment of beam theory, which has to be in its bracket, however wide the bracket is.
     Moment,
 }
 
 impl Number {
-    /// What its error is a share of; a load that stands on a support is no force of the beam there. The contact force is what the supports
-    /// leave of the load, and no better known than they are.
+    /// The quantity that the error is a share of. A load that acts directly on a support does not count towards the largest reaction.
+    /// The contact force is the load minus the reactions, so it is known no better than they are.
     pub(super) fn kind(self) -> &'static str {
         match self {
             Self::Support(_) => "the largest reaction",
@@ -58,33 +58,34 @@ impl fmt::Display for Number {
     }
 }
 
-/// Whether a beam is proven to be at rest and so is what was judged, or to be straight but for a turn: a share of nothing is undefined.
+/// Whether beam and answer are both proven to be at rest, or to be straight apart from a rotation. A share of zero is undefined.
 pub(super) fn is_unbent(certificate: &Certificate) -> bool {
     certificate.at_rest || certificate.deflection_error <= 0.0
 }
 
-/// What the moments of its loads are rounded by: those of a beam at rest add up to this.
+/// Rounding of the moments of the loads. The moments of a beam at rest add up to this instead of zero.
 fn moment_rounding(scene: &Scene) -> f64 {
     let length = scene.beam().length();
     LAST_DIGITS * scene.load().magnitude(length) * length
 }
 
-/// What the forces of its levels are rounded by, `48 EI v / l³`: those of a beam that is straight between supports add up to this.
+/// Rounding of the forces caused by support levels, `48 EI v / l³`. The forces of a beam that is straight between its supports add up
+/// to this instead of zero.
 fn force_rounding(scene: &Scene, state: &ContactState) -> f64 {
     let length = scene.beam().length();
     let bent = 48.0 * state.deflection.magnitude() / length * scene.beam().bending_stiffness() / length / length;
     LAST_DIGITS * bent
 }
 
-/// Rounding of the largest deflection. A beam at rest moves by the rounding of what its loads would do to it, `P l³ / 48 EI`, and of
-/// zero outwards.
+/// Rounding of the largest deflection. A beam at rest deflects by the rounding of what its loads alone would cause, `P l³ / 48 EI`.
+/// The smallest positive number covers rounding outwards at zero.
 pub(super) fn deflection_rounding(scene: &Scene, state: &ContactState) -> f64 {
     let (length, stiffness) = (scene.beam().length(), scene.beam().bending_stiffness());
     let free = moment_rounding(scene) / stiffness * length * length / 48.0;
     ROUNDING * state.deflection.magnitude() + free + f64::MIN_POSITIVE
 }
 
-/// The guaranteed error of each number of the summary, over the largest of its kind.
+/// The error bound of each number in the summary, over the largest value of that quantity.
 pub(super) fn shares<'a>(
     certificate: &'a Certificate,
     scene: &Scene,
@@ -95,7 +96,7 @@ pub(super) fn shares<'a>(
         let off = (most - own).max(own - least);
         if off <= rounding { 0.0 } else { off / largest }
     };
-    // What stands on a support is exact, and hides nothing of what the beam brings there but the last digits of the sum.
+    // A load directly on a support is known exactly. It hides nothing of the beam's own reaction except the last digits of the sum.
     let forces: Vec<f64> = state.supports.iter().map(|s| (s.force - scene.standing_on(s.at)).abs()).collect();
     let contact = state.contact_force();
     let sum = scene.bending_load().magnitude(scene.beam().length()) + forces.iter().sum::<f64>() + contact;
@@ -123,28 +124,28 @@ pub(super) fn shares<'a>(
         (Number::Energy, energy),
         (Number::Moment, outside(m.max, greatest)),
         (Number::Moment, outside(m.min, least)),
-        // Of a beam that may turn no position is the one.
+        // If the beam can rotate, no position is the right one.
         (Number::Deflection, if certificate.up_to_a_turn.is_some() { 0.0 } else { deflection }),
     ];
     supports.chain(others)
 }
 
-/// The size of the terms that the energy is a sum of: forces by deflections, and by depths where they are held.
+/// The size of the terms that add up to the energy: loads times deflections, and contact forces times gaps.
 pub(super) fn energy_size(scene: &Scene, state: &ContactState) -> f64 {
     let depth = |x: f64| scene.gap(x).abs();
     let held: f64 = state.touched().iter().map(|c| c.force.abs() * depth(c.from).max(depth(c.to))).sum();
     scene.load().magnitude(scene.beam().length()) * state.deflection.magnitude() + held
 }
 
-/// How far the largest deflection of an exact answer is off the one that its contacts make, which is the one that is judged. Of a
-/// beam that may turn another position is as good.
+/// The difference between the largest deflection of an exact answer and the judged one, which its contacts imply; zero for a beam
+/// that can rotate, because any rotated position is as good.
 pub(super) fn apart(certificate: &Certificate, own: f64) -> f64 {
     let Certificate { deflection: judged, deflection_at_least: least, up_to_a_turn, .. } = *certificate;
     let known = up_to_a_turn.is_none() && judged.is_finite();
     if known { (least - own).max(own - judged).max(0.0) } else { 0.0 }
 }
 
-/// What is wrong with a certificate itself.
+/// The flaw of a certificate itself, if it has one.
 pub(super) fn flaw(certificate: &Certificate) -> Option<Refusal> {
     let Certificate { energy_lower: lower, energy_upper: upper, gap, deflection_error, .. } = *certificate;
     if ![lower, upper, gap, deflection_error].iter().all(|bound| bound.is_finite()) {

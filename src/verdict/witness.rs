@@ -1,13 +1,13 @@
-//! The witness of a scene: the contacts from which its certificates are proven, found and proven once for all answers.
+//! The candidate contact list of a scene, from which its certificates are proven; found and proven once for all answers.
 //!
-//! A certificate is true with any witness, and sharp if the witness is right ([`crate::certificate`]). The exact contacts are
-//! those of beam theory. Solving by theory may cost no more than in proportion to the solve that is certified; where it would,
-//! or where theory has no solution, the answer's own contacts are the witness. These are at nodes of its grid, and the bounds are
-//! coarse: [`contacts_proven`](crate::certificate::Certificate::contacts_proven) is false then. On ground that gives, the answer of
-//! theory is the witness in any case, solved or not: values at nodes do not determine the deflection between them well enough.
+//! A certificate is true with any candidate contact list, and sharp if the list is right ([`crate::certificate`]). The exact contacts
+//! come from beam theory. Solving by theory must cost no more than in proportion to the solve that is certified. Where it would cost
+//! more, or where theory has no solution, the answer's own contacts are used. These are at nodes of its grid, so the bounds are
+//! coarse, and [`contacts_proven`](crate::certificate::Certificate::contacts_proven) is false. On an elastic foundation the answer of
+//! theory is always used, solved or not, because values at nodes do not determine the deflection between them well enough.
 //!
-//! Where a survey has points between the nodes of coarser grids, the active set starts from the same contacts. A discrete problem
-//! has one solution: the start changes how many exchanges it takes, and not the result.
+//! Where a survey has points between the nodes of coarser grids, the active-set solver starts from the same contacts. A discrete
+//! problem has one solution, so the start changes the number of exchanges and not the result.
 
 use std::sync::OnceLock;
 
@@ -20,23 +20,24 @@ use crate::scene::{Foundation, Scale, Scene, SceneError};
 use crate::state::Contact;
 use crate::theory::{self, Exact};
 
-/// Points of a polyline up to which the scene is solved by theory whatever the grid: it takes milliseconds on most profiles.
+/// Number of polyline points up to which theory solves the scene on any grid: this takes milliseconds on most profiles.
 const ALWAYS: usize = 2_000;
 
-/// Points more for each node of the grid that is certified: theory takes about as long for a point as a solver for a few nodes.
+/// Additional polyline points allowed per node of the certified grid: theory needs about as long for a point as a solver for a few nodes.
 const PER_NODE: usize = 20;
 
-/// Contacts that certificates of one scene are proven from.
+/// The contacts from which the certificates of one scene are proven.
 #[derive(Debug)]
 pub struct Witness<'a> {
     scene: &'a Scene,
     /// The contacts of beam theory, if it has an answer.
     theory: OnceLock<Option<ExactContacts>>,
-    /// The proof that they give.
+    /// The proof from these contacts.
     proof: OnceLock<Option<Proof>>,
 }
 
-/// Contacts, with the supports at which the ground holds the slope, and what supports that give do; on ground that gives with stretches from end to end.
+/// Contacts of an exact answer; supports at which the foundation fixes the slope; force and moment jump of each elastic support;
+/// under an axial force the deflection between contacts; and on an elastic foundation the stretches from end to end.
 #[derive(Debug)]
 pub(crate) struct ExactContacts {
     contacts: Vec<Contact>,
@@ -47,13 +48,13 @@ pub(crate) struct ExactContacts {
 }
 
 impl ExactContacts {
-    /// Those of an answer of theory, whether it is a solution or not.
+    /// The contacts of an answer of theory, whether it is a solution or not.
     pub(crate) fn of(exact: &Exact) -> Self {
         let (springs, hung) = (exact.sprung(), exact.hung());
         Self { contacts: exact.witness(), held: exact.held(), springs, hung, stretches: exact.stretches() }
     }
 
-    /// What they prove, if the scene can be scaled.
+    /// The proof from these contacts, if the scene can be scaled.
     pub(crate) fn proof(&self, scene: &Scene) -> Option<Proof> {
         match &self.stretches {
             Some(stretches) => Proof::of_stretches_on(scene, stretches, (&self.springs, &self.hung)).ok(),
@@ -63,17 +64,17 @@ impl ExactContacts {
 }
 
 impl<'a> Witness<'a> {
-    /// Of a scene that is not solved yet: theory solves it when the first certificate needs it.
+    /// The candidate contact list of a scene that is not solved yet. Theory solves it when the first certificate needs it.
     #[must_use]
     pub fn of(scene: &'a Scene) -> Self {
         Self { scene, theory: OnceLock::new(), proof: OnceLock::new() }
     }
 
-    /// The contacts of a solution that is known already, if it is one.
+    /// The candidate contact list from an exact answer that is already known, if it is a solution.
     #[must_use]
     pub fn known(scene: &'a Scene, exact: &Exact) -> Self {
         let witness = Self::of(scene);
-        // Nothing was found before.
+        // Cannot fail: nothing was set before.
         let _ = witness.theory.set(found(exact));
         witness
     }
@@ -84,12 +85,12 @@ impl<'a> Witness<'a> {
         self.scene
     }
 
-    /// Bounds for a deflection, proven from the contacts of theory if the grid is fine enough for their cost, and otherwise from
-    /// its `own`.
+    /// Bounds for a deflection, proven from the contacts of theory if the grid is fine enough for their cost, and otherwise from its
+    /// `own`.
     ///
     /// # Errors
     ///
-    /// Those of [`certify`]; of forces only if the beam needs an elastic foundation to be held.
+    /// The errors of [`certify`]; for forces, only if a beam needs an elastic foundation to hold it.
     pub fn judge(&self, judged: Judged<'_>, own: &[Contact]) -> Result<Certificate, SceneError> {
         let found = self.found(judged.places());
         let proven = found.and_then(|found| self.proof.get_or_init(|| found.proof(self.scene)).as_ref());
@@ -113,11 +114,11 @@ impl<'a> Witness<'a> {
         }
     }
 
-    /// What contact forces violate, as [`certificate::violations`](crate::certificate::violations) has it: on any beam.
+    /// The conditions that contact forces violate, as in [`certificate::violations`](crate::certificate::violations), for any beam.
     ///
     /// # Errors
     ///
-    /// Those of [`Self::judge`].
+    /// The errors of [`Self::judge`].
     pub fn violations(&self, forces: &ContactLoad) -> Result<Vec<Violation>, SceneError> {
         if !self.is_bent_in_theory() {
             return violations(self.scene, forces);
@@ -132,11 +133,11 @@ impl<'a> Witness<'a> {
         Ok(found)
     }
 
-    /// The beam under contact forces and a load that is lumped at the same nodes, as [`Lumped::new`] has it: of any beam.
+    /// The beam under contact forces and a load lumped at the same nodes, as in [`Lumped::new`], for any beam.
     ///
     /// # Errors
     ///
-    /// Those of [`Lumped::new`] but the last one.
+    /// The errors of [`Lumped::new`] except the last one.
     pub fn lumped(&self, forces: impl IntoIterator<Item = (f64, f64)>) -> Result<Lumped, NotLumped> {
         const DIMENSIONLESS: Scale = Scale { length: 1.0, depth: 1.0, force: 1.0 };
         if !self.is_bent_in_theory() {
@@ -148,17 +149,17 @@ impl<'a> Witness<'a> {
         })
     }
 
-    /// Whether forces bend the beam in a way that statics does not say.
+    /// Whether beam theory is needed to find the deflection under given forces, because statics alone does not determine it.
     fn is_bent_in_theory(&self) -> bool {
         self.scene.bends_under_forces("").is_err()
     }
 
-    /// The contacts of theory as a start for the active set, if a survey has points between the nodes of a `coarser` grid.
+    /// The contacts of theory as a start for the active-set solver, if a survey has points between the nodes of a `coarser` grid.
     pub(crate) fn start(&self, intervals: usize, coarser: usize) -> Option<&[Contact]> {
         if points(self.scene) <= coarser { None } else { Some(&self.found(intervals)?.contacts) }
     }
 
-    /// The contacts of theory, if it may be solved for so many nodes.
+    /// The contacts of theory, if theory may be solved for this number of nodes.
     fn found(&self, nodes: usize) -> Option<&ExactContacts> {
         let is_rigid = self.scene.ground_stiffness().is_none();
         match self.theory.get() {
@@ -168,13 +169,13 @@ impl<'a> Witness<'a> {
     }
 }
 
-/// The contacts of an exact answer, if it is a solution or on ground that gives.
+/// The contacts of an exact answer, if it is a solution or the foundation is elastic.
 fn found(exact: &Exact) -> Option<ExactContacts> {
     let found = ExactContacts::of(exact);
     (exact.solved || found.stretches.is_some()).then_some(found)
 }
 
-/// The number of points of a survey, by which the cost of theory is estimated.
+/// The number of polyline points of the foundation, from which the cost of theory is estimated.
 fn points(scene: &Scene) -> usize {
     match scene.foundation() {
         Some(Foundation::Polyline { points }) => points.len(),
@@ -189,17 +190,17 @@ mod tests {
     use crate::scene::{Beam, Load};
     use crate::{Settings, solve_raw};
 
-    /// Level ground with one point that carries the beam, in so many points.
+    /// A foundation of about this many points that are nearly level; one of them, at midspan, carries the beam.
     fn survey(points: u32) -> Scene {
         let beam = Beam::new(1.0, 1.0).expect("positive");
         let load = Load::uniform_on(&beam, 384.0).expect("finite");
-        // Level points would be one segment.
+        // Exactly level points would be one segment.
         let depth = |k: u32| if 2 * k == points { 0.5 } else { 20.0 + 0.1 * f64::from(k % 3) };
         let points = (0..=points).map(|k| [f64::from(k) / f64::from(points), depth(k)]).collect();
         Scene::new(beam, load, Some(Foundation::Polyline { points })).expect("well posed")
     }
 
-    /// Theory solves the scene where that is in proportion to the grid, once; otherwise the answer's own contacts are the witness.
+    /// Theory solves the scene where the cost is in proportion to the grid, once; otherwise the answer's own contacts are used.
     #[test]
     fn the_search_is_in_proportion_to_the_solve() {
         let own = [Contact::at(0.25, 1.0)];
