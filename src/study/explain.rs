@@ -1,8 +1,7 @@
-//! An exact answer as equations to check by hand: three-moment equations on the contacts that were found, with their numbers.
+//! An exact answer as equations to check by hand: three-moment equations on the contacts of the answer, with their numbers.
 //!
-//! Nodes are the supports, the points of contact, the ends of the zones and the ends of the beam. Between two of them the beam is a
-//! simple beam of length `L` with end moments `M`, the deflections `v` of its ends, and a load. Its slopes at the left and at the right
-//! end are
+//! Nodes are the supports, the points of contact, the ends of the zones and the ends of the beam. Between two nodes the beam is a
+//! simple beam of length `L` with end moments `M`, end deflections `v` and a load. Its slopes at the left and right ends are
 //!
 //! ```text
 //! v'_l = (v_r − v_l)/L + (L (2 M_l + M_r) + S_l) / (6 EI)
@@ -10,12 +9,14 @@
 //! S_l = 1/L ∫ q ξ (L − ξ)(2L − ξ) dξ,    S_r = 1/L ∫ q ξ (L² − ξ²) dξ,    ξ from the left end
 //! ```
 //!
-//! so that `S = q L³/4` for a uniform load. Where the bending stiffness changes between the nodes, or where joints are, other
-//! factors take the place of `2L` and `L`, with the least `EI`. A joint at a node turns by `M/k`, and a hinge is a node: its moment is
-//! zero, and its deflection is the one for which no force acts there. Where two spans meet their slopes are the same: the equation of three moments (Clapeyron
-//! 1857). Where a slope is given, by a built-in end or by ground that the beam follows, each side has an equation of its own; where the
-//! place is not given as well, that is the equation for it. Beyond the outermost nodes that hold it the beam hangs over, and statics
-//! give its moment there. Forces follow from moments: with the reactions `A` of a span to its own load
+//! so that `S = q L³/4` for a uniform load. If the bending stiffness changes between the nodes, or if there are joints, other factors
+//! replace `2L` and `L`, with the least `EI`. A joint at a node rotates by `M/k`. A hinge is a node whose moment is zero; its
+//! deflection follows from the condition that no force acts there.
+//!
+//! Two spans that meet at a node have the same slope there: the equation of three moments (Clapeyron 1857). If the slope is given, by
+//! a built-in end or by a foundation that the beam follows, each side has its own equation. If the position is unknown as well, the
+//! additional equation determines it. Beyond the outermost nodes the beam overhangs, and statics gives its moment there. Forces
+//! follow from moments: with the reactions `A` of a span to its own load
 //!
 //! ```text
 //! V_l = (M_r − M_l)/L + A_l,    V_r = (M_r − M_l)/L − A_r,    R = V(x+) − V(x−) + P
@@ -35,66 +36,66 @@ use crate::state::SupportForce;
 use crate::theory::Exact;
 use bent::{Bent, each_load};
 
-/// Places that are one, as a share of the length of the beam.
+/// Positions closer than this share of the length of the beam are the same.
 const SAME: f64 = 1e-12;
 
-/// Shear forces at two places so near differ by less than this share if no force acts between them.
+/// Shear forces at two positions this close differ by less than this share if no force acts between them.
 const NEARBY: f64 = 1e-9;
 
-/// A node.
+/// A node of the three-moment equations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Node {
-    /// What stands there.
+    /// The kind of the node.
     pub what: What,
-    /// Its place \[length\].
+    /// The position \[length\].
     pub x: f64,
     /// The deflection of the beam \[length\].
     pub deflection: f64,
     /// The slope, where it is given.
     pub slope: Option<f64>,
-    /// The bending moments just left and just right of it \[force · length\].
+    /// The bending moments just left and just right of the node \[force · length\].
     pub moments: [f64; 2],
-    /// The shear forces there, zero beyond an end of the beam \[force\].
+    /// The shear forces just left and just right of it, zero beyond an end of the beam \[force\].
     pub shears: [f64; 2],
-    /// The point load on it \[force\].
+    /// The point load at the node \[force\].
     pub load: f64,
-    /// The couple on it, by which the moment is larger on its right \[force · length\].
+    /// The couple at the node: the moment jumps up by it from left to right \[force · length\].
     pub couple: f64,
-    /// The force there, upwards on the beam \[force\].
+    /// The reaction or contact force there, upwards on the beam \[force\].
     pub force: f64,
-    /// The stiffness of a joint there, zero of a hinge \[force · length\].
+    /// The stiffness of a joint there, zero for a hinge \[force · length\].
     pub joint: Option<f64>,
 }
 
-/// A stretch of the beam between two neighbouring nodes, off the ground.
+/// The beam between two neighbouring nodes, where it does not lie on the foundation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Span {
-    /// Its left node; the right one is the next.
+    /// The left node; the right one is the next.
     pub left: usize,
     /// `L` \[length\].
     pub length: f64,
-    /// What moments of its ends bend it by: `2L`, `L` and `2L` of a beam that does not change on it \[length\].
+    /// The factors of the end moments in its slopes: `2L`, `L` and `2L` if its stiffness is constant \[length\].
     pub bend: [f64; 3],
     /// `S_l` and `S_r` \[force · length²\].
     pub load: [f64; 2],
     /// `A_l` and `A_r` \[force\].
     pub reactions: [f64; 2],
-    /// What the parts of the load contribute to both without their signs: they may cancel.
+    /// The sum of the contributions of the load to both, without their signs: they may cancel.
     load_size: f64,
 }
 
-/// What hangs over beyond a node.
+/// An overhang beyond a node.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Overhang {
-    /// The node.
+    /// The node at its root.
     pub root: usize,
-    /// The one at its free end.
+    /// The node at its free end.
     pub tip: usize,
-    /// Its length \[length\].
+    /// The length \[length\].
     pub length: f64,
-    /// The load beyond the node, without what is on it \[force\].
+    /// The load on the overhang, without the load at its root \[force\].
     pub load: f64,
-    /// Its moment about the node: the bending moment beside it is minus that \[force · length\].
+    /// The moment of this load about the root; the bending moment beside the root is minus this \[force · length\].
     pub moment: f64,
 }
 
@@ -103,37 +104,37 @@ pub struct Overhang {
 pub struct Equation {
     /// The node.
     pub node: usize,
-    /// The spans whose slopes it takes: the one to the left, the one to the right.
+    /// The spans whose slopes the equation uses: the left one and the right one.
     pub spans: [Option<usize>; 2],
-    /// Moments: node, whether right of it, coefficient \[length\].
+    /// Terms with a moment: node, whether just right of it, coefficient \[length\].
     pub terms: Vec<(usize, bool, f64)>,
-    /// What deflections and given slopes contribute, with `6 EI` \[force · length²\].
+    /// The contribution of deflections and given slopes, with `6 EI` \[force · length²\].
     pub settlement: f64,
-    /// What the load contributes \[force · length²\].
+    /// The contribution of the load \[force · length²\].
     pub load: f64,
 }
 
-/// Nodes, spans and equations of an answer.
+/// The nodes, spans and equations of an answer.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Explanation {
     /// From left to right.
     pub nodes: Vec<Node>,
     /// From left to right.
     pub spans: Vec<Span>,
-    /// Those on the left before those on the right.
+    /// The overhang on the left before the one on the right.
     pub overhangs: Vec<Overhang>,
     /// From left to right.
     pub equations: Vec<Equation>,
-    /// Where supports are off which the beam has lifted: no nodes \[length\].
+    /// Positions of supports that the beam has lifted off; they are no nodes \[length\].
     pub lifted: Vec<f64>,
-    /// Those of supports that give, from left to right: each at a node is an equation for its deflection or its slope.
+    /// The laws of elastic supports, from left to right: a law at a node is an equation for its deflection or its slope.
     pub laws: Vec<Law>,
     /// `6 EI`, with the least bending stiffness.
     pub stiffness: f64,
 }
 
 impl Explanation {
-    /// Of an exact answer of its scene.
+    /// The equations of an exact answer of its scene.
     #[must_use]
     pub fn of(scene: &Scene, exact: &Exact) -> Self {
         let nodes = nodes(scene, exact);
@@ -146,8 +147,10 @@ impl Explanation {
         Self { lifted: lifted.collect(), laws, nodes, spans, overhangs, equations, stiffness }
     }
 
-    /// What the equations are for, as many as there are equations and hinges off the ground, each of which is where it has no force: places,
-    /// and moments with whether they are right of their node. Other moments are those of overhangs, of the ground along which the beam lies, or zero at an end.
+    /// The unknowns of the equations: nodes, for a moment with whether it is the one just right of the node, and [`None`] for a position.
+    ///
+    /// There are as many unknowns as equations plus hinges off the foundation; a hinge has no force, which determines its deflection.
+    /// The remaining moments are given: by overhangs, by the foundation along which the beam lies, or as zero at an end.
     #[must_use]
     pub fn unknowns(&self) -> Vec<(usize, Option<bool>)> {
         let mut unknowns = Vec::new();
@@ -171,7 +174,7 @@ impl Explanation {
         unknowns
     }
 
-    /// The left side of an equation with the moments of the answer, less its right side \[force · length²\].
+    /// The left side of an equation with the moments of the answer, minus its right side \[force · length²\].
     #[must_use]
     pub fn residual(&self, equation: &Equation) -> f64 {
         let moment = |&(node, right, coefficient): &(usize, bool, f64)| {
@@ -180,7 +183,7 @@ impl Explanation {
         equation.terms.iter().map(moment).sum::<f64>() - (equation.settlement - equation.load)
     }
 
-    /// The largest moment, and what a load of one span alone would bend it by, `S/L` \[force · length\].
+    /// The largest of all end moments and of all `S/L`, the moments that the load of one span alone would cause \[force · length\].
     #[must_use]
     pub fn moment(&self) -> f64 {
         let moments = self.nodes.iter().flat_map(|node| node.moments).map(f64::abs);
@@ -188,7 +191,7 @@ impl Explanation {
         moments.chain(bent).fold(0.0, f64::max)
     }
 
-    /// The largest part of an equation: what its residual is compared with \[force · length²\].
+    /// The largest term of an equation, with which its residual is compared \[force · length²\].
     #[must_use]
     pub fn size(&self, equation: &Equation) -> f64 {
         let moment = |&(node, right, coefficient): &(usize, bool, f64)| {
@@ -209,7 +212,8 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<Node> {
     found(scene, exact).into_iter().map(|found| Node::of(scene, exact, found)).collect()
 }
 
-/// The places of the nodes from left to right: what each is, its force, and whether the beam follows the ground there.
+/// The positions of the nodes from left to right, each with its kind, its force, and whether the beam follows the slope of the
+/// foundation or of a built-in support there.
 fn found(scene: &Scene, exact: &Exact) -> Vec<(f64, What, f64, bool)> {
     let (beam, state) = (scene.beam(), &exact.state);
     let length = beam.length();
@@ -225,7 +229,7 @@ fn found(scene: &Scene, exact: &Exact) -> Vec<(f64, What, f64, bool)> {
     let in_zone = |x: f64| state.contacts.iter().any(|contact| contact.from < x && x < contact.to);
     for support in state.supports.iter().filter(|support| !has_lifted(support)) {
         let what = What::of_support(scene, support);
-        // In a zone the ground takes off it what it exerts.
+        // In a zone the foundation carries the force of an elastic support.
         let gives = beam.springs().iter().any(|spring| (spring.at - support.at).abs() <= SAME * length);
         if !(gives && in_zone(support.at)) {
             found.push((support.at, what, support.force, support.moment.is_some()));
@@ -249,12 +253,12 @@ fn found(scene: &Scene, exact: &Exact) -> Vec<(f64, What, f64, bool)> {
     let hinges = beam.joints().iter().filter(|joint| joint.stiffness.is_none());
     found.extend(hinges.map(|hinge| (hinge.at, What::Hinge, 0.0, false)));
     found.extend([0.0, length].map(|end| (end, What::End, 0.0, false)));
-    // Several at one place are one, of the kind of the first; their forces add up.
+    // Several nodes at one position become one, of the kind of the first; their forces add up.
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
     found.dedup_by(|next, kept| {
         let same = (next.0 - kept.0).abs() <= SAME * length;
         if same {
-            // A support or a contact rather than an end of the beam or a hinge.
+            // A support or a contact takes precedence over an end of the beam or a hinge.
             let what = if matches!(kept.1, What::End | What::Hinge) { next.1 } else { kept.1 };
             *kept = (kept.0, what, kept.2 + next.2, kept.3 || next.3);
         }
@@ -264,13 +268,13 @@ fn found(scene: &Scene, exact: &Exact) -> Vec<(f64, What, f64, bool)> {
 }
 
 impl Node {
-    /// With what beam theory says of its place.
+    /// A node with deflection, slope, moments and shear forces from beam theory.
     fn of(scene: &Scene, exact: &Exact, (x, what, force, follows): (f64, What, f64, bool)) -> Self {
         let length = scene.beam().length();
         let (deflection, moments) = (exact.deflection(x), exact.moments(x));
         let here = scene.load().concentrated().filter(|acts| (acts.at - x).abs() <= SAME * length);
         let [load, couple] = here.fold([0.0; 2], |sum, acts| [sum[0] + acts.force, sum[1] + acts.couple]);
-        // Beside whatever acts at this place, and back along a line; at a free end what stands there.
+        // Next to anything that acts at this position, extrapolated back along a line; at a free end the load there.
         let beside = |side: usize, way: f64| {
             let [near, far] = [way, 2.0 * way].map(|way| exact.shear((x + way).clamp(0.0, length))[side]);
             if (near - far).abs() <= NEARBY * near.abs() { near + (near - far) } else { near }
@@ -288,7 +292,7 @@ impl Node {
     }
 }
 
-/// Whether it is a support that the beam has lifted off.
+/// Whether this is a support that the beam has lifted off.
 fn has_lifted(support: &SupportForce) -> bool {
     support.pushes_only && support.force <= 0.0
 }
@@ -309,7 +313,7 @@ fn spans(scene: &Scene, exact: &Exact, nodes: &[Node]) -> Vec<Span> {
     nodes.windows(2).enumerate().filter_map(span).filter(|span| !overhang(span)).collect()
 }
 
-/// The parts between an end of the beam where nothing is and the next node.
+/// The parts between a free end of the beam and the next node.
 fn overhangs(scene: &Scene, exact: &Exact, nodes: &[Node]) -> Vec<Overhang> {
     let last = nodes.len() - 1;
     let hangs = |&(tip, root): &(usize, usize)| {
@@ -334,7 +338,7 @@ fn overhangs(scene: &Scene, exact: &Exact, nodes: &[Node]) -> Vec<Overhang> {
     [(0, 1), (last, last.saturating_sub(1))].into_iter().filter(|_| 0 < last).filter(hangs).map(of).collect()
 }
 
-/// The equations at a node: one for each side with a given slope, one for both where the slope is not given.
+/// The equations at a node: one for each side if the slope is given, one for both otherwise.
 fn equations(nodes: &[Node], spans: &[Span], node: usize, stiffness: f64) -> Vec<Equation> {
     let before = spans.iter().position(|span| span.left + 1 == node);
     let behind = spans.iter().position(|span| span.left == node);
@@ -342,7 +346,7 @@ fn equations(nodes: &[Node], spans: &[Span], node: usize, stiffness: f64) -> Vec
         let Span { left, length, .. } = spans[span];
         stiffness * (nodes[left + 1].deflection - nodes[left].deflection) / length
     };
-    // Moments of a span seen from its right end and from its left one.
+    // The moments of a span with their factors at its right end, and at its left end.
     let from_right = |span: usize| {
         let Span { left, bend: [_, across, own], .. } = spans[span];
         [(left, true, across), (left + 1, false, own)]
@@ -351,7 +355,7 @@ fn equations(nodes: &[Node], spans: &[Span], node: usize, stiffness: f64) -> Vec
         let Span { left, bend: [own, across, _], .. } = spans[span];
         [(left, true, own), (left + 1, false, across)]
     };
-    // What the beam turns by in a joint between the two.
+    // The rotation of a joint between the two.
     let joint = |joint: f64| (node, false, stiffness / joint);
     match (nodes[node].slope, before, behind) {
         _ if nodes[node].joint == Some(0.0) => Vec::new(),

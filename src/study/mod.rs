@@ -1,4 +1,4 @@
-//! What is built on answers: equations with their numbers, sweeps over a number, and depths that are known to a tolerance.
+//! Studies built on exact answers: equations with their numbers, sweeps over a number, and foundation depths known to a tolerance.
 
 pub mod explain;
 pub mod sweep;

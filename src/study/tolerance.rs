@@ -1,13 +1,14 @@
-//! What is known of a beam above ground whose depth is known to within `±δ` only, each depth by itself.
+//! Bounds and estimates for a beam above a foundation whose depth is known only to within `±δ`, independently at each position.
 //!
-//! Deeper ground leaves the beam more room, so the least energy falls with every depth: with `J*` of the ground moved as a whole,
+//! A deeper foundation leaves the beam more room, so the least energy falls with every depth. With `J*` for a foundation moved as a
+//! whole:
 //!
 //! ```text
-//! J*(u + δ) ≤ J* ≤ J*(u − δ)                            guaranteed, from the certificates of two solves
+//! J*(u + δ) ≤ J* ≤ J*(u − δ)                            proven, from the certificates of two solves
 //! J_free < J*(u + δ)                                    the beam touches, whatever the depths are
 //! its supports do not hold it                           it touches, whatever the depths are
-//! the beam above u − δ touches nowhere                  nor does it above any of them
-//! |R − R(u)| ≈ δ Σ |∂R/∂u_i|  over the contacts i        an estimate: the contacts stay those that they are
+//! the beam above u − δ touches nowhere                  nor does it touch at any other depths
+//! |R − R(u)| ≈ δ Σ |∂R/∂u_i|  over the contacts i        an estimate: the list of contacts does not change
 //! ```
 
 use crate::route::Solution;
@@ -16,35 +17,35 @@ use crate::state::Regime;
 use crate::theory::{self, Exact, Spread};
 use crate::verdict::{Demand, Status};
 
-/// What is known of the answer above ground that may be off by a tolerance.
+/// Bounds and estimates for the answer above a foundation whose depths may be off by a tolerance.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DepthTolerance {
     /// `δ` \[length\].
     pub tolerance: f64,
-    /// Guaranteed bounds of the energy; [`None`] where there is none, above all if the ground may lie above a support.
+    /// Proven lower and upper bound of the energy; [`None`] if there is none, in particular if the foundation may be above a support.
     pub energy: [Option<f64>; 2],
-    /// Whether it touches the ground.
+    /// Whether the beam touches the foundation.
     pub contact: Touches,
-    /// Estimates of how far forces may be off, from derivatives; [`None`] where there are none.
+    /// Estimates of how far forces may be off, from derivatives; [`None`] if there are none.
     pub estimates: Option<Spread>,
-    /// What was left out of these, and why.
+    /// What was left out of the estimates, and why.
     pub left_out: Option<&'static str>,
 }
 
-/// Whether a beam touches the ground.
+/// Whether a beam touches the foundation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
 pub enum Touches {
-    /// Whatever the depths are.
+    /// It touches at any depths within the tolerance.
     Certainly,
-    /// Not above any of them.
+    /// It touches at no depths within the tolerance.
     Nowhere,
-    /// That depends on them.
+    /// Contact depends on the depths, or neither of the other two could be shown.
     Perhaps,
 }
 
 impl Touches {
-    /// The word of tables.
+    /// The word used in tables.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -56,7 +57,8 @@ impl Touches {
 }
 
 impl DepthTolerance {
-    /// For the exact solution of a scene, if each depth of its ground may be off by `tolerance`, positive \[length\].
+    /// Bounds and estimates for the exact solution of a scene if each depth of its foundation may be off by `tolerance`, positive
+    /// \[length\].
     #[must_use]
     pub fn of(scene: &Scene, exact: &Exact, tolerance: f64) -> Self {
         let moved = |down: f64| scene.with_ground_moved(down).ok().and_then(|scene| judged(&scene));
@@ -87,7 +89,7 @@ impl DepthTolerance {
     }
 }
 
-/// True of a beam that no supports hold, nor carry where they only push: the ground carries part of its loads, whatever its depth.
+/// Whether the foundation must carry part of the loads whatever its depth, because the supports neither hold nor carry the beam.
 fn leans(scene: &Scene) -> bool {
     if !scene.beam().bearings().is_empty() || !scene.beam().springs().is_empty() {
         return false;
@@ -125,7 +127,7 @@ mod tests {
         assert_eq!(of(90.0, 11.0).contact, Touches::Perhaps);
         assert_eq!(of(110.0, 9.0).contact, Touches::Nowhere);
         assert_eq!(of(110.0, 11.0).contact, Touches::Perhaps);
-        // Nothing but the ground carries a beam without supports, nor one that would turn about its only one.
+        // Only the foundation carries a beam without supports, or a beam that would rotate about its only support.
         for supports in [Vec::new(), vec![Support::simple(2.0)]] {
             let scene = scene(90.0);
             let beam = scene.beam().clone().with_supports(supports).expect("a beam");
@@ -135,7 +137,7 @@ mod tests {
                 assert_eq!(DepthTolerance::of(&scene, &exact, tolerance).contact, Touches::Certainly);
             }
         }
-        // Supports that only push may carry it alone.
+        // Compression-only supports may carry the beam alone.
         let on_bearings = |depth: f64| {
             let scene = scene(depth);
             let supports = vec![Support::pushing(0.0), Support::pushing(10.0)];
@@ -147,11 +149,11 @@ mod tests {
             let exact = theory::solve(&scene).expect("an answer");
             assert_eq!(DepthTolerance::of(&scene, &exact, 9.0).contact, expected);
         }
-        // Ground above the supports has no energy.
+        // A foundation above the supports has no energy bound.
         assert_eq!(of(1.0, 2.0).energy[1], None);
     }
 
-    /// On ground that gives the energy falls with every depth as well.
+    /// On an elastic foundation the energy also falls with every depth.
     #[test]
     fn ground_that_gives_is_bounded_too() {
         let soft = |depth: f64| scene(depth).on_springs(0.03).expect("ground");
@@ -164,7 +166,7 @@ mod tests {
         }
     }
 
-    /// Energies of any ground within the tolerance lie between the bounds, and forces are off by what is estimated.
+    /// For any foundation within the tolerance the energy is between the bounds, and forces differ by at most the estimates.
     #[test]
     fn answers_within_the_tolerance_are_within_the_bounds() {
         let scene = scene(50.0);
@@ -172,7 +174,7 @@ mod tests {
         let found = DepthTolerance::of(&scene, &exact, 0.5);
         let [Some(lower), Some(upper)] = found.energy else { panic!("{found:?}") };
         for tilt in [-0.08, 0.0, 0.05] {
-            // A polynomial within ± 0.5 of the depth.
+            // A polynomial within ±0.5 of the depth.
             let ground = Foundation::Polynomial { coefficients: vec![50.1 - 5.0 * tilt, tilt] };
             let other = Scene::new(scene.beam().clone(), scene.load().clone(), Some(ground)).expect("a scene");
             let other = theory::solve(&other).expect("an answer");

@@ -1,19 +1,20 @@
-//! What a span is bent by: its load and the moments of its ends, also where the beam changes on it.
+//! The coefficients of a span in the three-moment equations, from its load and its end moments, also where the bending stiffness
+//! changes on it.
 //!
 //! With `ξ` from the left end, `EI₀` the least bending stiffness, and `m₀` the moments of the load on a simple beam:
 //!
 //! ```text
 //! B_l = 6 EI₀ ∫ (1 − ξ/L)²/EI,   B = 6 EI₀ ∫ (ξ/L)(1 − ξ/L)/EI,   B_r = 6 EI₀ ∫ (ξ/L)²/EI,   and a joint adds 6 EI₀/k of the same at ξ_j
-//! S_l = 6 EI₀ ∫ m₀ (1 − ξ/L)/EI,   S_r = 6 EI₀ ∫ m₀ (ξ/L)/EI                                  and so it does here
+//! S_l = 6 EI₀ ∫ m₀ (1 − ξ/L)/EI,   S_r = 6 EI₀ ∫ m₀ (ξ/L)/EI,                                 and a joint adds the same here
 //! ```
 //!
-//! `2L`, `L` and `2L` of a beam that does not change.
+//! If the bending stiffness is constant, the `B` are `2L`, `L` and `2L`.
 
 use super::SAME;
 use crate::scene::{Concentrated, Scene};
 use crate::theory::gauss::Gauss;
 
-/// What bends a span.
+/// The coefficients of a span.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Bent {
     /// `B_l`, `B` and `B_r` \[length\].
@@ -22,19 +23,19 @@ pub(super) struct Bent {
     pub(super) load: [f64; 2],
     /// `A_l` and `A_r` \[force\].
     pub(super) reactions: [f64; 2],
-    /// What the parts of the load contribute to both `S` without their signs.
+    /// The sum of the contributions of the load to both `S`, without their signs.
     pub(super) size: f64,
 }
 
 impl Bent {
-    /// Between two places of a scene.
+    /// The coefficients between two positions of a scene.
     pub(super) fn of(scene: &Scene, ends: [f64; 2]) -> Self {
         let beam = scene.beam();
         let is_even = beam.changes().next().is_none() && joints(scene, ends).next().is_none();
         if is_even { Self::even(scene, ends) } else { Self::changing(scene, ends) }
     }
 
-    /// Of a beam of one bending stiffness.
+    /// For constant bending stiffness and no joints.
     fn even(scene: &Scene, [from, to]: [f64; 2]) -> Self {
         let (length, here) = (to - from, SAME * scene.beam().length());
         let mut bent =
@@ -42,12 +43,12 @@ impl Bent {
         each_load(scene, from, to, |Concentrated { at, force, couple }| {
             let (xi, rest) = (at - from, to - at);
             let (common, turned) = (force * xi * rest / length, couple / length);
-            // Of a couple what a force does, differentiated by its place.
+            // The effect of a couple is the derivative of the effect of a force with respect to its position.
             let left = common * (length + rest) + turned * (rest * (length + rest) - xi * (length + 2.0 * rest));
             let right = common * (length + xi) + turned * ((rest - xi) * (length + xi) + xi * rest);
             bent.reactions = [bent.reactions[0] - turned, bent.reactions[1] + turned];
             bent.load = [bent.load[0] + left, bent.load[1] + right];
-            // What is so near to a node is a load on it, with a lever for moments.
+            // A force this close to a node is a load on the node; only its lever arm counts, for the moments.
             if here < xi && here < rest {
                 let [left, right] = bent.reactions;
                 bent.reactions = [left + force * rest / length, right + force * xi / length];
@@ -57,9 +58,9 @@ impl Bent {
         bent
     }
 
-    /// Of any beam.
+    /// For any beam.
     fn changing(scene: &Scene, [from, to]: [f64; 2]) -> Self {
-        /// Of a cubic, of a line, and of the squares of two.
+        /// The integrands are products of a cubic and a line, and squares of lines.
         const DEGREE: usize = 4;
         let (length, beam) = (to - from, scene.beam());
         let even = Self::even(scene, [from, to]);
@@ -85,7 +86,7 @@ impl Bent {
     }
 }
 
-/// The joints strictly between two places that are no hinges, with their stiffness.
+/// The joints strictly between two positions, without hinges, with their stiffness.
 fn joints(scene: &Scene, [from, to]: [f64; 2]) -> impl Iterator<Item = (f64, f64)> + '_ {
     let here = SAME * scene.beam().length();
     let inside = move |x: f64| from + here < x && x + here < to;
@@ -97,7 +98,7 @@ fn joints(scene: &Scene, [from, to]: [f64; 2]) -> impl Iterator<Item = (f64, f64
         .filter_map(|joint| Some((joint.at, joint.stiffness?)))
 }
 
-/// The moment of the load between two places at a third one, with the reaction on the left.
+/// The moment at a third position of the load between two positions, with the reaction on the left.
 fn unloaded(scene: &Scene, [from, to]: [f64; 2], reaction: f64, x: f64) -> f64 {
     let (load, here) = (scene.load(), SAME * scene.beam().length());
     let is_before = |at: f64| from + here < at && at < x && at + here < to;
@@ -110,14 +111,14 @@ fn unloaded(scene: &Scene, [from, to]: [f64; 2], reaction: f64, x: f64) -> f64 {
     reaction * (x - from) + concentrated - spread.sum::<f64>()
 }
 
-/// The load strictly between two places as couples and as forces that have its resultant and its next three moments.
+/// The load strictly between two positions, as couples and as forces with the same resultant and the same next three moments.
 pub(super) fn each_load(scene: &Scene, from: f64, to: f64, mut visit: impl FnMut(Concentrated)) {
-    /// Of these integrals under a linear load.
+    /// For these integrals under a linear load.
     const DEGREE: usize = 4;
     let (rule, load) = (Gauss::exact_to(DEGREE), scene.load());
     load.concentrated().filter(|acts| from < acts.at && acts.at < to).for_each(&mut visit);
     for part in load.spread(scene.beam().length()) {
-        // Of a part that is outside nothing is left, with weights of zero.
+        // A part outside has zero width, and its weights are zero.
         let [start, end] = [part.from, part.to].map(|x| x.max(from).min(to));
         let force = |at: f64, weight: f64| Concentrated { at, force: part.intensity(at) * weight, couple: 0.0 };
         rule.points(start, end).for_each(|(x, weight)| visit(force(x, weight)));

@@ -1,38 +1,38 @@
-//! Supports that give: what each exerts, by its law.
+//! The laws of elastic supports: the force or the moment jump that each exerts.
 //!
 //! ```text
-//! R = k (v − d)            where it gives against sinking
-//! M jumps by −k (v' − φ)   where it gives against turning
+//! R = k (v − d)            elastic against settlement
+//! M jumps by −k (v' − φ)   elastic against rotation
 //! ```
 //!
-//! At a node the law is the equation for `v`, or for `v'`: the other equations there have these as numbers. Where the ground gives one of them, it
-//! takes what the support does not.
+//! At a node the law is the equation for `v` or for `v'`; the other equations there use these as known numbers. Where the foundation
+//! determines `v` or `v'`, it carries what the support does not.
 
 use super::{SAME, has_lifted};
 use crate::scene::Scene;
 use crate::theory::Exact;
 
-/// The law of a support that gives.
+/// The law of an elastic support.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Law {
-    /// The node whose deflection or slope it is the equation for; [`None`] where the ground gives that.
+    /// The node whose deflection or slope this equation determines; [`None`] if the foundation determines it.
     pub node: Option<usize>,
-    /// Where it is \[length\].
+    /// The position \[length\].
     pub x: f64,
-    /// Whether it is that against turning.
+    /// Whether it is the law against rotation.
     pub turning: bool,
     /// `k` \[force / length, or force · length\].
     pub stiffness: f64,
     /// `d` or `φ`.
     pub without: f64,
-    /// `v` or `v'` there.
+    /// `v` or `v'` in the answer.
     pub now: f64,
-    /// `R` upwards, or by how much `M` jumps because of it.
+    /// `R`, upwards, or the jump of `M` that it causes.
     pub exerts: f64,
 }
 
 impl Law {
-    /// Those of the supports that the beam has not lifted off, from left to right, with nodes at these places.
+    /// The laws of the supports that the beam has not lifted off, from left to right, with nodes at these positions.
     pub(super) fn all(scene: &Scene, exact: &Exact, nodes: &[f64]) -> Vec<Self> {
         let here = SAME * scene.beam().length();
         let is_here = |x: f64, other: f64| (x - other).abs() <= here;
@@ -67,7 +67,7 @@ impl Law {
         laws
     }
 
-    /// What its law says that it exerts.
+    /// The force or moment jump according to the law.
     #[must_use]
     pub fn says(&self) -> f64 {
         let gives = self.stiffness * (self.now - self.without);

@@ -1,7 +1,8 @@
-//! The equations of a beam on an elastic foundation, or under an axial force `N`: a chain of links, each with the deflections `v` and the moments `M` of its two ends.
+//! The equations of a beam on an elastic foundation, or under an axial force `N`: a chain of links between nodes.
 //!
-//! Nodes are the supports, the ends of what is pressed, the point loads and couples, the ends of distributed loads, the points of a polyline below
-//! what is pressed, and so many between that no pressed link is longer than `1/λ`, `4 λ⁴ = k/EI`. On a link
+//! A link has the deflections `v` and the moments `M` of its two ends. Nodes are the supports, the ends of the pressed parts, the
+//! point loads and couples, the ends of distributed loads, and the points of a polyline within pressed parts. Further nodes divide
+//! the pressed parts so that no pressed link is longer than `1/λ`, `4 λ⁴ = k/EI`. On a link
 //!
 //! ```text
 //! EI v'''' + k v = q + k g    where the foundation presses,      EI v'''' = q    elsewhere
@@ -9,49 +10,50 @@
 //! v'_r = c (v_r − v_l) + η v_r − ω M_l − w M_r + s_r       V_r = c (M_r − M_l) + η M_r + σ v_l + a v_r + t_r
 //! ```
 //!
-//! without a foundation with `c = 1/L, w = L/3EI, ω = L/6EI` and `η = a = σ = 0`, the equations of three moments. With
-//! `K = k/EI` and `W_m = Σ (−K)^r L^(4r+m)/(4r+m)!`, and with `D = W₁² + K W₃²`,
+//! Without a foundation `c = 1/L, w = L/3EI, ω = L/6EI` and `η = a = σ = 0`: these are the equations of three moments. With
+//! `K = k/EI`, `W_m = Σ (−K)^r L^(4r+m)/(4r+m)!` and `D = W₁² + K W₃²`,
 //!
 //! ```text
 //! c = W₁/D,    η = (W₁ (W₀ − 1) + K W₂ W₃)/D,    w = (W₁ W₂ − W₀ W₃)/D EI,    ω = W₃/D EI,    a = (k EI) w,    σ = (k EI) ω
 //! ```
 //!
-//! Under an axial force no link off rigid ground is longer than `1/μ`, `μ² = |N|/EI`, and `H = V + N v'` takes the place of `V`. With the `W_m`
-//! of `EI v'''' − N v'' + k v = 0`, `n = N/EI` and `W₃'' = W₁ + n W₃`
+//! Under an axial force no link off a rigid foundation is longer than `1/μ`, `μ² = |N|/EI`, and `H = V + N v'` replaces `V`. With the
+//! `W_m` of `EI v'''' − N v'' + k v = 0`, `n = N/EI` and `W₃'' = W₁ + n W₃`
 //!
 //! ```text
 //! D = W₁ W₃'' + K W₃²,   c = W₃''/D,   η = (W₃'' (W₀ − 1) + K W₂ W₃)/D,   a = (k EI) w + N (c + η),   σ = (k EI) ω − N c
 //! ```
 //!
-//! and a link along rigid ground has the slopes `s` and the forces `t` of the ground.
+//! and a link along a rigid foundation has the slopes `s` and the forces `t` of the foundation.
 //!
-//! `s` and `t` are the slopes and the shear forces of a link whose ends have neither deflection nor moment. At every node `v'` is the same
-//! on both sides, or the slope that a support holds, and `V_right − V_left = R − P`. In a joint it is less on the right by `M/k`; in a hinge
-//! `M = 0`. What supports that give exert is in module `laws`; one against turning makes `M` jump.
+//! `s` and `t` are the slopes and the shear forces of a link whose ends have neither deflection nor moment. At every node `v'` is the
+//! same on both sides, or the slope that a support fixes, and `V_right − V_left = R − P`. At a joint `v'` is less on the right by
+//! `M/k`; at a hinge `M = 0`. Module `laws` gives the forces of elastic supports; at a support that is elastic against rotation `M`
+//! jumps.
 
 use super::{Law, SAME, What, has_lifted};
 use crate::scene::{Foundation, Scene};
 use crate::theory::Exact;
 use crate::theory::gauss::Gauss;
 
-/// A node.
+/// A node between two links.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ChainNode {
-    /// What stands there.
+    /// The kind of the node.
     pub what: What,
-    /// Its place \[length\].
+    /// The position \[length\].
     pub x: f64,
     /// `v` \[length\].
     pub deflection: f64,
-    /// The slope that a support holds.
+    /// The slope that a support fixes.
     pub slope: Option<f64>,
-    /// `M` just left and just right of it \[force · length\].
+    /// `M` just left and just right of the node \[force · length\].
     pub moments: [f64; 2],
-    /// The point load on it \[force\].
+    /// The point load at the node \[force\].
     pub load: f64,
-    /// The force of the support there, upwards on the beam \[force\].
+    /// The reaction of the support there, upwards on the beam \[force\].
     pub force: f64,
-    /// The stiffness of a joint there, zero of a hinge \[force · length\].
+    /// The stiffness of a joint there, zero for a hinge \[force · length\].
     pub joint: Option<f64>,
 }
 
@@ -60,9 +62,9 @@ pub struct ChainNode {
 pub struct Link {
     /// `L` \[length\].
     pub length: f64,
-    /// Whether the foundation presses.
+    /// Whether the foundation presses on it.
     pub pressed: bool,
-    /// Whether it lies along rigid ground.
+    /// Whether it lies along a rigid foundation.
     pub lies: bool,
     /// `c` and `η` \[1/length\].
     pub stretch: [f64; 2],
@@ -76,48 +78,48 @@ pub struct Link {
     pub shears: [f64; 2],
 }
 
-/// A number at one end of a link, by what makes it: deflections, moments, and load with foundation.
+/// A slope or shear force at one end of a link, as a sum of three contributions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Parts {
-    /// Of `v`.
+    /// The contribution of the deflections `v`.
     pub deflections: f64,
-    /// Of `M`.
+    /// The contribution of the moments `M`.
     pub moments: f64,
-    /// `s` or `t`.
+    /// The contribution `s` or `t` of load and foundation.
     pub load: f64,
 }
 
 impl Parts {
-    /// Their sum.
+    /// The sum of the three.
     #[must_use]
     pub fn sum(&self) -> f64 {
         self.deflections + self.moments + self.load
     }
 
-    /// The largest of them.
+    /// The largest of the three in magnitude.
     #[must_use]
     pub fn size(&self) -> f64 {
         self.deflections.abs().max(self.moments.abs()).max(self.load.abs())
     }
 }
 
-/// Nodes and links of an answer.
+/// The nodes and links of an answer.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chain {
     /// From left to right.
     pub nodes: Vec<ChainNode>,
     /// Link `i` is between nodes `i` and `i + 1`.
     pub links: Vec<Link>,
-    /// Where supports are off which the beam has lifted: no nodes \[length\].
+    /// Positions of supports that the beam has lifted off; they are no nodes \[length\].
     pub lifted: Vec<f64>,
-    /// Those of supports that give, from left to right.
+    /// The laws of elastic supports, from left to right.
     pub laws: Vec<Law>,
-    /// `N`: under it `V` is `H` \[force\].
+    /// `N`; if it is not zero, `V` stands for `H` \[force\].
     pub tension: f64,
 }
 
 impl Chain {
-    /// Of an exact answer of its scene; [`None`] if its foundation does not give and no axial force acts on the beam.
+    /// The chain of an exact answer of its scene; [`None`] if the foundation is not elastic and no axial force acts on the beam.
     #[must_use]
     pub fn of(scene: &Scene, exact: &Exact) -> Option<Self> {
         let tension = scene.beam().tension();
@@ -137,7 +139,7 @@ impl Chain {
         Some(Self { links: nodes.windows(2).map(link).collect(), lifted: lifted.collect(), laws, nodes, tension })
     }
 
-    /// `v'` at a node by the link to its left and by that to its right.
+    /// `v'` at a node, from the link to its left and from the link to its right.
     #[must_use]
     pub fn slopes(&self, node: usize) -> [Option<Parts>; 2] {
         self.beside(node, |link, [left, right], [moment_left, moment_right], is_right| {
@@ -150,7 +152,7 @@ impl Chain {
         })
     }
 
-    /// `V` at a node in the same way.
+    /// `V` at a node, from the link to its left and from the link to its right.
     #[must_use]
     pub fn shears(&self, node: usize) -> [Option<Parts>; 2] {
         self.beside(node, |link, [left, right], [moment_left, moment_right], is_right| {
@@ -163,14 +165,15 @@ impl Chain {
         })
     }
 
-    /// What `v'` on both sides, and the given one, and what the forces at a node differ by; in a joint but for what it turns by.
+    /// The residuals of the equations at a node: the largest difference between `v'` on both sides and the given slope, less the
+    /// rotation of a joint, and the equilibrium residual of the forces.
     #[must_use]
     pub fn residuals(&self, node: usize) -> [f64; 2] {
         let ([left, right], [before, behind]) = (self.slopes(node), self.shears(node));
         let at = &self.nodes[node];
         let sum = |parts: Option<Parts>| parts.map(|parts| parts.sum());
         let right = match at.joint {
-            // A hinge turns by what it has to.
+            // A hinge rotates freely.
             Some(k) if k <= 0.0 => sum(left),
             Some(k) => sum(right).map(|slope| slope + at.moments[0] / k),
             None => sum(right),
@@ -194,7 +197,7 @@ impl Chain {
 }
 
 impl Link {
-    /// On springs of this stiffness, or on none.
+    /// A link on springs of this stiffness, or off the foundation if it is zero.
     fn of(scene: &Scene, [from, to]: [f64; 2], stiffness: f64) -> Self {
         /// Exact to rounding for loads and waves over `1/λ`.
         const DEGREE: usize = 29;
@@ -207,7 +210,7 @@ impl Link {
         let (w, omega) = ((w1 * w2 - w0 * w3) / d, w3 / d);
         let own = |x: f64| scene.beam().shape().map_or(0.0, |shape| shape.depth(x));
         let ground = |x: f64| if 0.0 < stiffness { k * (scene.depth(x) - own(x)) } else { 0.0 };
-        // The beam that begins without deflection, slope, moment and shear force: v, v', v'' and v''' at its other end.
+        // A beam that starts without deflection, slope, moment and shear force: `v`, `v'`, `v''` and `v'''` at its other end.
         let mut begun = [0.0; 4];
         for (x, weight) in Gauss::exact_to(DEGREE).points(from, to) {
             let acts = weight * (intensity(scene, x) / bending + ground(x));
@@ -232,9 +235,9 @@ impl Link {
         }
     }
 
-    /// Along rigid ground.
+    /// A link along a rigid foundation.
     fn along(exact: &Exact, [from, to]: [f64; 2], tension: f64) -> Self {
-        // In a hinge at an end the slope is that beside it.
+        // If the link ends at a hinge, its own slope counts there.
         let slopes = [from.next_up(), to.next_down()].map(|x| exact.slope(x));
         let shears = [exact.shear(from)[1] + tension * slopes[0], exact.shear(to)[0] + tension * slopes[1]];
         let none = [0.0; 2];
@@ -242,11 +245,11 @@ impl Link {
     }
 }
 
-/// `W_m` of `v'''' = n v'' − K v`, over no more than `1/λ` and `1/μ`.
+/// `W_m` of `v'''' = n v'' − K v`, over at most `1/λ` and `1/μ`.
 fn wave(m: usize, [n, k]: [f64; 2], length: f64) -> f64 {
-    /// Terms: over `1/λ` the next one is less than `4⁷/28!` of the first.
+    /// Number of terms: over `1/λ` the next one is less than `4⁷/28!` of the first.
     const TERMS: usize = 28;
-    /// Powers of the length: those of the terms from any first one.
+    /// Number of powers of the length that the terms use, from any first term.
     const MOST: usize = 4 + TERMS + 1;
     let over: [f64; MOST] = std::array::from_fn(|i| length / f64::from(u32::try_from(i.max(1)).unwrap_or(1)));
     let mut terms = [0.0; MOST];
@@ -254,13 +257,13 @@ fn wave(m: usize, [n, k]: [f64; 2], length: f64) -> f64 {
     for i in m + 1..=m + TERMS {
         let before = |back: usize| i.checked_sub(back).map_or(0.0, |i| terms[i]);
         let times = |factor: f64, back: usize| over[i + 1 - back..=i].iter().fold(factor, |product, by| product * by);
-        // Derivatives up to the third are given.
+        // The derivatives up to the third are given.
         terms[i] = if i < 4 { 0.0 } else { times(-k * before(4), 4) + times(n * before(2), 2) };
     }
     terms[m] + terms[m + 1..].iter().sum::<f64>()
 }
 
-/// The distributed load at a place inside a link.
+/// The distributed load at a position inside a link.
 fn intensity(scene: &Scene, x: f64) -> f64 {
     let here = scene.load().linear().iter().filter(|q| q.from <= x && x <= q.to);
     here.fold(scene.load().uniform(), |sum, q| sum + q.intensity(x))
@@ -288,7 +291,7 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<ChainNode> {
     let steps = scene.beam().changes().map(|x| (x, What::Step));
     let loads = load.concentrated().map(|acts| acts.at).chain(load.linear().iter().flat_map(|q| [q.from, q.to]));
     let others = ends.into_iter().chain(zones).chain(joints).chain(steps).chain(loads.map(|x| (x, What::Load)));
-    // In a zone on rigid ground nothing is asked.
+    // In a zone on a rigid foundation no equations are needed.
     let others = others.filter(|(x, _)| !(exact.is_rigid() && is_pressed(*x)));
     found.extend(others.map(|(x, what)| (x, what, 0.0, false)));
     let sunk = |x: &f64| !exact.is_rigid() && is_pressed(*x);
@@ -297,7 +300,7 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<ChainNode> {
         let Foundation::Polyline { points } = profile else { continue };
         found.extend(points.iter().map(|p| p[0]).filter(sunk).map(|x| (x, What::Corner, 0.0, false)));
     }
-    // Stable: of several at one place the first says what it is.
+    // The sort is stable: of several nodes at one position the first determines the kind.
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
     found.dedup_by(|next, kept| {
         let same = (next.0 - kept.0).abs() <= SAME * length;
@@ -330,7 +333,7 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<ChainNode> {
             what,
             x,
             deflection: exact.deflection(x),
-            // In a joint it has two values.
+            // At a joint the slope has two values.
             slope: (follows && joint.is_none()).then(|| exact.slope(x)),
             moments: exact.moments(x),
             load: here.map(|load| load.force).sum(),

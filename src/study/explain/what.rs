@@ -1,42 +1,42 @@
-//! What stands at a node of an explanation.
+//! The kind of a node in an explanation.
 
 use super::SAME;
 use crate::scene::{Scene, Support};
 use crate::state::SupportForce;
 
-/// What stands at a node.
+/// The kind of a node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum What {
-    /// An end of the beam at which nothing is.
+    /// An end of the beam without support, contact or hinge.
     End,
     /// A simple support.
     Support,
-    /// A support that holds the slope.
+    /// A support that fixes the slope.
     BuiltIn,
-    /// A support that gives, against sinking or turning.
+    /// An elastic support, against settlement or rotation.
     Spring,
-    /// An end of the beam that touches.
+    /// An end of the beam in contact.
     Tip,
-    /// A point of contact whose place is a corner of the ground, or a joint.
+    /// A point of contact at a corner of the foundation or of the initial shape, or at a joint.
     Corner,
-    /// A point of contact at which the beam follows the slope of the ground: its place is an unknown.
+    /// A point of contact at which the beam follows the slope of the foundation; its position is an unknown.
     Point,
-    /// An end of a zone: its place is an unknown.
+    /// An end of a zone; its position is an unknown.
     ZoneEnd,
-    /// A hinge of the beam, off the ground.
+    /// A hinge of the beam, off the foundation.
     Hinge,
-    /// A point load, or an end of a distributed one, on an elastic foundation.
+    /// A point load or couple, or an end of a distributed load, in a chain of links.
     Load,
-    /// A joint, on an elastic foundation.
+    /// A joint, in a chain of links.
     Joint,
-    /// A change of the bending stiffness, on an elastic foundation.
+    /// A change of the bending stiffness, in a chain of links.
     Step,
-    /// No more than a place of the beam on an elastic foundation.
+    /// An intermediate node in a chain of links.
     Between,
 }
 
 impl What {
-    /// A support that exerts this.
+    /// The kind of a support with this reaction.
     pub(super) fn of_support(scene: &Scene, support: &SupportForce) -> Self {
         let beam = scene.beam();
         let is_here = |given: &&Support| (given.at - support.at).abs() <= SAME * beam.length();
@@ -48,7 +48,7 @@ impl What {
         }
     }
 
-    /// In words.
+    /// The kind in words.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {

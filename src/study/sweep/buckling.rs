@@ -1,4 +1,4 @@
-//! Where a sweep comes to the compression at which the beam buckles.
+//! The events of a sweep at which the compression reaches the buckling load of the beam.
 
 use super::events::Event;
 use super::{Sweep, last};
@@ -11,7 +11,7 @@ impl Sweep<'_> {
         self.scene(value).and_then(|scene| scene.scaled()).err().is_some_and(unstable)
     }
 
-    /// The events at which it begins to buckle or ceases to, between values of which the one bears its compression.
+    /// The events at which the beam begins or ceases to buckle, between consecutive values of which only one carries its compression.
     pub(super) fn buckling(&self) -> Vec<Event> {
         let bears = |value: f64| self.scene(value).and_then(|scene| scene.scaled()).is_ok();
         let values: Vec<(f64, bool)> = self.values().map(|value| (value, bears(value))).collect();

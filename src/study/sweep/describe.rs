@@ -1,10 +1,10 @@
-//! What an event is, in words: the contacts on its two sides side by side.
+//! Descriptions of events in words, from the contacts just before and just after.
 
 use crate::state::{Contact, Regime};
 use crate::text::significant;
 use crate::theory::{ContactKind, Exact, Pattern, ZoneEnd};
 
-/// What happens from one answer to the next.
+/// The changes from one answer to the next, as sentences.
 pub(super) fn describe(before: &Exact, after: &Exact) -> String {
     let [old, new] = [before, after].map(|exact| exact.pattern());
     let mut sentences = Vec::new();
@@ -45,22 +45,22 @@ pub(super) fn describe(before: &Exact, after: &Exact) -> String {
     sentences.join("; ")
 }
 
-/// Whether it is a contact with the ground.
+/// Whether this is a contact with the foundation.
 fn is_ground(kind: &ContactKind) -> bool {
     !matches!(kind, ContactKind::Bearing(_))
 }
 
-/// Whether the beam touches the ground.
+/// Whether the beam touches the foundation.
 pub(super) fn touches(pattern: &Pattern) -> bool {
     pattern.kinds.iter().any(is_ground)
 }
 
-/// The bearings that the beam bears on.
+/// The compression-only supports that the beam bears on.
 pub(super) fn pressed(pattern: &Pattern) -> Vec<ContactKind> {
     pattern.kinds.iter().filter(|kind| !is_ground(kind)).copied().collect()
 }
 
-/// The regime of contacts by their kinds: beside an event the length of a zone may be below the last digit of its place.
+/// The regime from the kinds of the contacts: near an event the length of a zone may be below the last digit of its position.
 fn regime(kinds: &[ContactKind]) -> Regime {
     match kinds {
         _ if !kinds.iter().any(is_ground) => Regime::None,
@@ -69,7 +69,7 @@ fn regime(kinds: &[ContactKind]) -> Regime {
     }
 }
 
-/// The contacts of two answers that lie at one place, and whether they are the same on both sides.
+/// The contacts of two answers, grouped by position; only groups that differ between the two.
 fn changes(before: &Exact, after: &Exact) -> Vec<[Vec<(ContactKind, Contact)>; 2]> {
     let mut all = Vec::new();
     for (side, exact) in [before, after].into_iter().enumerate() {
@@ -94,10 +94,10 @@ fn changes(before: &Exact, after: &Exact) -> Vec<[Vec<(ContactKind, Contact)>; 2
     groups
 }
 
-/// Contacts on the two sides of an event that are nearer to each other than this share of the beam are at one place.
+/// Contacts just before and just after an event that are closer together than this share of the beam are at one position.
 const NEAR: f64 = 1e-5;
 
-/// What happens to one group of contacts.
+/// The change of one group of contacts, in words.
 fn change([old, new]: [&[ContactKind]; 2], [before, after]: [&[Contact]; 2]) -> String {
     let places = |contacts: &[Contact]| contacts.iter().map(place).collect::<Vec<_>>().join(" and ");
     match (old, new) {
@@ -129,7 +129,7 @@ fn change([old, new]: [&[ContactKind]; 2], [before, after]: [&[Contact]; 2]) -> 
     }
 }
 
-/// What happens at the ends of a zone that stays one.
+/// The changes at the ends of a zone that stays a zone.
 fn ends(old: &[ZoneEnd; 2], new: &[ZoneEnd; 2]) -> String {
     let said = |(a, b): (&ZoneEnd, &ZoneEnd)| match (a, b) {
         (a, b) if a == b => None,
@@ -151,5 +151,5 @@ fn at(x: f64) -> String {
     format!("at x = {}", significant(x, DIGITS))
 }
 
-/// Digits of a place in words.
+/// Digits of a position in words.
 const DIGITS: usize = 6;

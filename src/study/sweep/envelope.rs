@@ -1,35 +1,35 @@
-//! The envelope of a sweep: the largest and the least moment, shear force and support force over its values.
+//! The envelope of a sweep: the greatest and least moment, shear force and reaction over its values.
 
 use std::cell::Cell;
 
 use super::govern::{Extreme, Govern, Largest, Sample};
 use super::{Step, Sweep};
 
-/// Equal parts of the beam at whose ends moment and shear force are compared.
+/// Number of equal parts of the beam at whose ends moment and shear force are compared.
 const PARTS: usize = 200;
 
-/// Extremes over the values of a sweep. Moments are positive where the underside is in tension; the shear force is that of
+/// Extremes over the values of a sweep. Moments are positive where the underside is in tension. The shear force is defined in
 /// [`Exact::shear`](crate::theory::Exact::shear).
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Envelope {
-    /// Places along the beam \[length\].
+    /// Positions along the beam \[length\].
     pub x: Vec<f64>,
-    /// The largest moment there over all values, of both sides of a place \[force · length\].
+    /// The greatest moment there over all values and both sides of the position \[force · length\].
     pub moment_max: Vec<f64>,
-    /// The least.
+    /// The least moment.
     pub moment_min: Vec<f64>,
-    /// The largest shear force there, of both sides of a place \[force\].
+    /// The greatest shear force there over all values and both sides of the position \[force\].
     pub shear_max: Vec<f64>,
-    /// The least.
+    /// The least shear force.
     pub shear_min: Vec<f64>,
-    /// Each support, in the order of the beam.
+    /// The supports, from left to right.
     pub supports: Vec<SupportEnvelope>,
-    /// The moments that govern, at any place, and between the values too.
+    /// The governing moments at any position, also between the values of the sweep.
     pub governing: Governing,
 }
 
-/// The extremes of one support's force, upwards on the beam \[force\], with the values of the number varied at which they occur.
+/// The extremes of the reaction of one support, upwards on the beam \[force\], with the values of the varied number at which they occur.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[expect(missing_docs, reason = "as said above")]
@@ -41,7 +41,7 @@ pub struct SupportEnvelope {
     pub min_value: f64,
 }
 
-/// The largest and the least moment.
+/// The greatest and the least moment.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[expect(missing_docs, reason = "as said above")]
@@ -50,8 +50,8 @@ pub struct Governing {
     pub moment_min: Moment,
 }
 
-/// A moment, its place, the value of the number varied, and what the beam has besides for that value: the shear force on both sides of the
-/// place, and the force of each support from left to right.
+/// A moment, its position and the value of the varied number, with the other results for that value: the shear force on both sides of
+/// the position, and the reaction of each support from left to right.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[expect(missing_docs, reason = "as said above")]
@@ -87,7 +87,7 @@ impl<'a> Gathered<'a> {
         Self { sweep, x, moment: none.clone(), shear: none, rows: Vec::new() }
     }
 
-    /// Takes the answer of the next value in.
+    /// Adds the answer of the next value.
     pub fn add(&mut self, step: &Step) {
         let (value, exact) = (step.value, &step.exact);
         for ((x, moment), shear) in self.x.iter().zip(&mut self.moment).zip(&mut self.shear) {
@@ -103,15 +103,14 @@ impl<'a> Gathered<'a> {
         self.rows.push(Sample::of(value, exact));
     }
 
-    /// The envelope, its extremes refined between the rows; [`None`] without a row.
+    /// The envelope, with its extremes refined between the rows; [`None`] without a row.
     #[must_use]
     pub fn envelope(self) -> Option<Envelope> {
         self.envelope_within(u64::MAX).0
     }
 
-    /// The same with so much work at the most ([`Exact::work`](crate::theory::Exact::work)), first of all for the moments, and whether that was
-    /// enough. Extremes for
-    /// which it was not are those of the rows, or lie between one of them and the refined one.
+    /// The same with at most this much work ([`Exact::work`](crate::theory::Exact::work)), used for the moments first, and whether
+    /// the work was enough. If it was not, an extreme is the one of the rows, or a partly refined one.
     #[must_use]
     pub fn envelope_within(self, work: u64) -> (Option<Envelope>, bool) {
         let (sweep, left) = (self.sweep, Cell::new(work));
@@ -142,7 +141,7 @@ impl<'a> Gathered<'a> {
     }
 }
 
-/// A governing moment with what goes with it.
+/// A governing moment with the other results for its value.
 fn moment(sweep: &Sweep<'_>, found: Largest, sign: f64) -> Option<Moment> {
     let (_, exact) = sweep.answer(found.value, &[]).ok()?;
     let supports = exact.state.supports.iter().map(|support| support.force).collect();

@@ -1,8 +1,8 @@
-//! Events: where the answer of a sweep changes its kind.
+//! Events of a sweep: values at which the kind of its answer changes.
 //!
-//! Answers are looked at in places that depend on the range only, so that the events do not depend on the number of rows, and from
-//! each place to the next, never past it, the contacts are followed (module `follow`). Where a row has another kind than the events
-//! before it lead to, the stretch is divided there.
+//! The scene is solved at values that depend only on the range, so the events do not depend on the number of rows. From each value to
+//! the next, and never past it, the contacts are followed (module `follow`). If a row has another kind than the events before it lead
+//! to, the interval is divided there.
 
 use std::cell::Cell;
 
@@ -11,16 +11,17 @@ use super::until::Measure;
 use super::{Row, Sweep};
 use crate::theory::{Exact, Pattern};
 
-/// A value at which the answer changes its kind.
+/// A value at which the kind of the answer changes.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Event {
-    /// The value of the number that is varied.
+    /// The value of the varied number.
     pub value: f64,
-    /// What happens there as the sweep goes on.
+    /// What changes there in the direction of the sweep.
     pub what: String,
-    /// By how much the value may be off where the answers before and after it both meet their conditions to 12 digits for a while, or
-    /// where none is found between them; 0 where neither is so, and the value is known to a thousand-millionth of the range.
+    /// How far the value may be off. It is positive if the answers before and after it both satisfy their conditions to 12 digits
+    /// over some distance, or if no answer is found between them. Otherwise it is 0, and the value is known to a thousand-millionth
+    /// of the range.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_zero"))]
     pub uncertainty: f64,
 }
@@ -31,32 +32,32 @@ fn is_zero(value: &f64) -> bool {
     *value <= 0.0
 }
 
-/// What a search for events came to.
+/// The result of a search for events.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Events {
     /// The events, in the order of the sweep.
     pub events: Vec<Event>,
-    /// The value up to which events were searched for, where the work was more than allowed.
+    /// The value up to which events were searched for, if the work exceeded the limit.
     pub until: Option<f64>,
 }
 
-/// Beside an event the scene is solved so far from it, as a share of the range.
+/// Distance from an event at which the scene is solved on both sides, as a share of the range.
 pub(super) const BESIDE: f64 = 1e-10;
 
-/// Values at which the scene is solved, beside the rows.
+/// Number of values at which the scene is solved, in addition to the rows.
 const PLACES: u32 = 256;
 
-/// They lie at this share of an interval, so that they are not round numbers.
+/// Offset of these values within an interval, as a share of it, so that they are not round numbers.
 pub(super) const PAST: f64 = 0.382;
 
-/// Events nearer to each other than this share of the range are one.
+/// Events closer together than this share of the range count as one.
 const ONE: f64 = 2.0 * BESIDE;
 
-/// A root, and the answers just before and just beyond it as the sweep goes on.
+/// A root, and the answers just before and just after it in the direction of the sweep.
 #[derive(Debug, Clone)]
 pub(super) struct Root {
     pub(super) value: f64,
-    /// By how much the value may be off where no condition gives it, but only the answers on both sides.
+    /// How far the value may be off if no condition determines it, only the answers on both sides.
     pub(super) off: f64,
     pub(super) before: At,
     pub(super) after: At,
@@ -84,30 +85,30 @@ impl At {
 #[derive(Debug)]
 pub(super) struct Search<'a> {
     pub(super) sweep: &'a Sweep<'a>,
-    /// The work that is left, as [`Exact::work`] counts it.
+    /// The remaining work, in units of [`Exact::work`].
     pub(super) left: Cell<u64>,
 }
 
 impl Sweep<'_> {
-    /// The events between rows of this sweep, in their order.
+    /// The events between the rows of this sweep, in their order.
     #[must_use]
     pub fn events(&self, rows: &[Row]) -> Vec<Event> {
         let kinds: Vec<(f64, Pattern)> = rows.iter().map(|row| (row.value, row.pattern.clone())).collect();
         self.events_within(&kinds, u64::MAX).events
     }
 
-    /// The events between rows of which the values and kinds are given, with so much work at the most ([`Exact::work`]).
+    /// The events between rows with these values and kinds, found with at most this much work ([`Exact::work`]).
     #[must_use]
     pub fn events_within(&self, rows: &[(f64, Pattern)], work: u64) -> Events {
         self.events_and_work(rows, work).0
     }
 
-    /// The same, and the work that the search took.
+    /// The same, and the work that the search needed.
     #[must_use]
     pub fn events_and_work(&self, rows: &[(f64, Pattern)], work: u64) -> (Events, u64) {
         let search = Search { sweep: self, left: Cell::new(work) };
         let (roots, until) = search.inside(rows);
-        // All that is found is described, whatever work that takes.
+        // All roots that were found are described, however much work this needs.
         let taken = work - search.left.replace(u64::MAX);
         let mut events = search.described(roots);
         if rows.len() < self.values().len() {
@@ -118,8 +119,8 @@ impl Sweep<'_> {
         (Events { events, until }, taken)
     }
 
-    /// The values between rows at which contact begins or ends, with the foundation or with a bearing, in their order, each with its error; and
-    /// whether so much work was enough to find them.
+    /// The values between rows at which contact with the foundation or with a compression-only support begins or ends, in their
+    /// order, each with its error; and whether the work was enough to find them all.
     pub(super) fn changes_of_contact(
         &self,
         with: Measure,
@@ -141,23 +142,23 @@ impl Sweep<'_> {
 }
 
 impl Search<'_> {
-    /// All roots between rows that lie within the range, and the value up to which they were searched for, if that is not all.
+    /// All roots between rows and within the range, and the value up to which they were searched for if the search is incomplete.
     fn inside(&self, rows: &[(f64, Pattern)]) -> (Vec<Root>, Option<f64>) {
         let (mut roots, until) = self.all(rows);
         let [start, end] = self.sweep.range;
-        // The scene is also solved a little beyond both ends.
+        // The scene is also solved slightly beyond both ends.
         let within = |value: f64| value.max(start.min(end)).min(start.max(end));
         roots.retain_mut(|root| {
             let inside = within(root.value);
             let outside = (root.value - inside).abs();
             root.value = inside;
-            // One at an end may come out beyond it.
+            // A root at an end may be found slightly beyond it.
             outside <= BESIDE * (end - start).abs()
         });
         (roots, until.map(within))
     }
 
-    /// All roots between rows, and the value up to which they were searched for, if that is not all.
+    /// All roots between rows, and the value up to which they were searched for if the search is incomplete.
     fn all(&self, rows: &[(f64, Pattern)]) -> (Vec<Root>, Option<f64>) {
         let mut roots = Vec::new();
         let [start, end] = self.sweep.range;
@@ -165,8 +166,8 @@ impl Search<'_> {
             return (roots, Some(start));
         }
         let place = |i: u32| start + (end - start) * ((f64::from(i) - PAST) / f64::from(PLACES));
-        // A row itself may be an event, as round numbers are: that is seen from beyond it only. What a load does as it comes onto the beam
-        // there is outside of the range.
+        // A row itself may be an event, because round numbers often are; this shows only from beyond the row. The effect of a load
+        // that comes onto the beam there is outside the range.
         let beyond = |i: u32, row: f64| {
             let there = Some(place(i)).filter(|there| self.sweep.has_same_loads(*there, row));
             there.filter(|there| self.at(*there, &[]).is_some()).unwrap_or(row)
@@ -182,7 +183,7 @@ impl Search<'_> {
                 return (roots, Some(last.map_or(start, |last| last.value)));
             }
             let Some(next) = next else {
-                // Up to where there are answers.
+                // Search up to the last value with an answer.
                 if let Some(at) = last.take_if(|_| first_without.is_none()) {
                     let farthest = self.farthest(&at, value, |_| true);
                     self.interval(&at, &farthest, rows, &mut roots);
@@ -205,7 +206,7 @@ impl Search<'_> {
         (roots, None)
     }
 
-    /// The events between two answers with no place between them that is looked at, unless a row there has another kind.
+    /// The events between two answers without a solved value between them, unless a row there has another kind.
     fn interval(&self, left: &At, right: &At, rows: &[(f64, Pattern)], roots: &mut Vec<Root>) {
         if self.is_spent() || left.value.total_cmp(&right.value).is_eq() {
             return;
@@ -228,7 +229,7 @@ impl Search<'_> {
             let before =
                 found.iter().rev().find(|root| (root.value - value) * sign < 0.0).map_or(left, |root| &root.after);
             let unexpected = middle.pattern.is_same(pattern) && !middle.is_like(before);
-            // Where the contacts of the segment are an answer as well, both are to 12 digits, and the row is no news.
+            // If the contacts before it are an answer as well, both are valid to 12 digits, and the row shows nothing new.
             (unexpected && self.kept(before, *value).is_none()).then_some(middle)
         });
         match middle {
@@ -240,8 +241,8 @@ impl Search<'_> {
         }
     }
 
-    /// Those at one value are one event, and so are those between which an answer has several lists of contacts that all meet their
-    /// conditions: of these the list counts that holds the longest.
+    /// Merges roots at one value into one event, and also roots between which an answer has several lists of contacts that all
+    /// satisfy their conditions. Of these lists, the one that stays valid longest counts.
     fn single(&self, roots: Vec<Root>) -> Vec<Root> {
         let [start, end] = self.sweep.range;
         let mut single: Vec<Root> = Vec::new();
@@ -264,14 +265,14 @@ impl Search<'_> {
         single
     }
 
-    /// Roots in words.
+    /// The roots as events, described in words.
     fn described(&self, roots: Vec<Root>) -> Vec<Event> {
         let happens = |root: &&Root| !root.before.is_like(&root.after);
         let event = |root: &Root| {
             let (value, uncertainty) = self.settled(root);
             Event { value, what: describe(&root.before.exact, &root.after.exact), uncertainty }
         };
-        // Of contacts that only move there is nothing to tell, however fast they do.
+        // Contacts that only move need no description, however fast they move.
         self.single(roots).iter().filter(happens).map(event).filter(|event| !event.what.is_empty()).collect()
     }
 }

@@ -1,10 +1,12 @@
-//! Inverse questions: for which values of the number varied is something reached?
+//! Inverse questions: the values of the varied number for which a quantity reaches its target.
 //!
-//! What is measured is continuous in the value, but where a load or a support passes the place. It is known at the places of module
-//! `govern`, and stretches in which it may reach its target are divided as there. Where two neighbours are on different sides of the
-//! target, the root between them is searched for to rounding. A target that is only touched, between two values on the same side, is
-//! found as the extreme that it is, if it is smooth: one with a kink is known to a thousand-millionth of the range. A target at which the measure stays, as the stretch from where it comes there to where it leaves. Where
-//! contact begins or ends is an event.
+//! The measured quantity is continuous in the value, except where a load or a support passes its position. It is sampled like the
+//! extremes in module `govern`, and intervals in which it may reach its target are divided in the same way. If two neighbouring
+//! samples are on different sides of the target, the root between them is computed to rounding.
+//!
+//! A target that is only touched, between two values on the same side, is found as an extreme. This needs a smooth extreme: the
+//! position of a kink is known only to a thousand-millionth of the range. If the quantity stays at the target, the result is the
+//! interval in which it stays there. The beginning or end of contact is an event.
 
 use std::cell::{Cell, RefCell};
 
@@ -14,11 +16,11 @@ use super::govern::{Extreme, Govern, Largest};
 use super::until::{Measured, Until};
 use super::{Sweep, SweepError, last, root};
 
-/// A measure that changes by more than this share of its size from just below a value to just above it jumps there.
+/// The measured quantity jumps if it changes by more than this share of its size from just below a value to just above it.
 const JUMP: f64 = 1e-6;
 
-/// A target that is reached to rounding over a shorter share of the range than this is reached for one value: an extreme is flat, and
-/// to 12 digits it is one over a millionth of the range.
+/// If the target is reached to rounding over less than this share of the range, it counts as reached at one value. An extreme is
+/// flat: to 12 digits it extends over a millionth of the range.
 const ONE_VALUE: f64 = 1e-5;
 
 /// A value for which the target is reached.
@@ -27,20 +29,20 @@ const ONE_VALUE: f64 = 1e-5;
 pub struct Found {
     /// The value.
     pub value: f64,
-    /// Where the target stays reached for a stretch of values: its other end.
+    /// The other end of the interval, if the target stays reached over an interval.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub until: Option<f64>,
-    /// By how much the value may be off ([`Event::uncertainty`](super::Event::uncertainty)); 0 where it is known to rounding.
+    /// How far the value may be off ([`Event::uncertainty`](super::Event::uncertainty)); 0 if it is known to rounding.
     pub uncertainty: f64,
-    /// True if what is measured jumps past the target.
+    /// Whether the measured quantity jumps past the target.
     pub jumps: bool,
-    /// Just below, if there is an answer.
+    /// The sample just below, if it has an answer.
     pub below: Option<Beside>,
-    /// Just above, if there is an answer.
+    /// The sample just above, if it has an answer.
     pub above: Option<Beside>,
 }
 
-/// A value, and what is measured there.
+/// A value, and the measured quantity there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[expect(missing_docs, reason = "as said above")]
@@ -49,18 +51,18 @@ pub struct Beside {
     pub reached: f64,
 }
 
-/// What a search came to.
+/// The result of a search.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Finding {
-    /// All values that were found, in the order of the sweep.
+    /// All values found, in the order of the sweep.
     pub found: Vec<Found>,
-    /// The value that comes nearest to the target, where none reaches it.
+    /// The value that comes closest to the target, if no value reaches it.
     pub nearest: Option<Beside>,
-    /// False if the work that is allowed did not suffice: there may be more values than were found, or nearer ones.
+    /// False if the allowed work was not enough: further values, or a closer one, may exist.
     pub is_whole: bool,
 }
 
-/// Where the target is reached: from a value, to another one where it stays reached, with what the value may be off by.
+/// Where the target is reached: at one value, or from one value to another, with the uncertainty of the value.
 #[derive(Debug, Clone, Copy)]
 struct Reached {
     from: f64,
@@ -75,7 +77,7 @@ impl Reached {
 }
 
 impl Sweep<'_> {
-    /// The values of the range for which something is reached, searched for with so much work at the most ([`Exact::work`]).
+    /// The values in the range for which the target is reached, found with at most this much work ([`Exact::work`]).
     ///
     /// # Errors
     ///
@@ -98,7 +100,7 @@ impl Sweep<'_> {
         };
         let mut nearest = None;
         if reached.is_empty() {
-            // An extreme may be the target.
+            // The target may be an extreme.
             nearest = search.nearest();
             reached = search.reached(until.target);
         }
@@ -118,7 +120,7 @@ struct Find<'a> {
 }
 
 impl Find<'_> {
-    /// Values at which contact begins or ends.
+    /// The values at which contact begins or ends.
     fn contact(&mut self) -> Vec<Reached> {
         let known = self.govern.samples.iter().filter(|sample| sample.asked().is_some());
         let values: Vec<f64> = known.map(|sample| sample.value).collect();
@@ -135,7 +137,7 @@ impl Find<'_> {
         changes.into_iter().map(|(value, off)| Reached { off, ..Reached::at(value) }).collect()
     }
 
-    /// Where a target is reached, by the samples that there are.
+    /// Where a target is reached, from the existing samples.
     fn reached(&mut self, target: f64) -> Vec<Reached> {
         let [start, end] = self.sweep.range;
         let one = ONE_VALUE * (end - start).abs();
@@ -150,7 +152,7 @@ impl Find<'_> {
                 i.checked_sub(1).and_then(|i| runs[i].last()).and_then(|(value, side)| Some((*value, (*side)?)));
             let beyond = runs.get(i + 1).and_then(|run| run[0].1.map(|side| (run[0].0, side)));
             if side != 0.0 {
-                // Between two sides.
+                // The target is crossed between the two sides.
                 if let Some((next, _)) = beyond.filter(|(_, other)| side * other < 0.0) {
                     all.extend(self.crossing(target, to, next));
                 }
@@ -170,7 +172,7 @@ impl Find<'_> {
         all
     }
 
-    /// What is measured at a value.
+    /// The measured quantity at a value.
     fn at(&mut self, value: f64) -> Option<Measured> {
         self.govern.solved(value)?.asked()
     }
@@ -187,10 +189,10 @@ impl Find<'_> {
         (0 < left.get()).then(|| Reached::at(value))
     }
 
-    /// Where a stretch in which the target is reached ends, between a value inside and one beyond it, if there is one: where the line
-    /// meets the target that leads to it from beyond, if that is the same to the rounding of the measure.
+    /// The end of an interval in which the target is reached, between a value inside and a value beyond it, if there is one. The line
+    /// that leads to the target from beyond gives the end, if it agrees with bisection within the rounding of the measured quantity.
     fn end_of_stretch(&mut self, target: f64, inside: f64, beyond: Option<(f64, f64)>) -> f64 {
-        /// The line goes through two values at this share of the range, and at twice that, from the end.
+        /// Distance from the end to the first of two values that define the line, as a share of the range; the second is twice as far.
         const APART: f64 = 1e-7;
         let Some((beyond, _)) = beyond else { return inside };
         let sweep = self.sweep;
@@ -209,7 +211,7 @@ impl Find<'_> {
         if (slope * (meets - end)).abs() <= 2.0 * near.rounding(target) { meets } else { end }
     }
 
-    /// The value that comes nearest to the target.
+    /// The value that comes closest to the target.
     fn nearest(&mut self) -> Option<Beside> {
         let target = self.until.target;
         let known = |side: f64| self.govern.samples.iter().any(|sample| sample.side(target) == Some(side));
@@ -224,12 +226,12 @@ impl Find<'_> {
             }
         };
         let Largest { size, value, .. } = self.govern.largest(Extreme::Asked { sign })?;
-        // Where it comes there first: rounding decides which value of a stretch is the largest.
+        // The first value that reaches it: rounding decides which value of an interval is the largest.
         let value = self.reached(sign * size).first().map_or(value, |reached| reached.from);
         Some(Beside { value, reached: self.at(value)?.number })
     }
 
-    /// A value that reaches the target, with the values beside it.
+    /// A value that reaches the target, with the values next to it.
     fn found(&mut self, Reached { from, to, off }: Reached) -> Found {
         let [below, above] = [from.min(to), from.max(to)];
         let [below, above] = [(below, -1.0), (above, 1.0)].map(|(value, way)| self.beside(value, way));
@@ -245,8 +247,8 @@ impl Find<'_> {
         Found { value: from, until: stays.then_some(to), uncertainty: off, jumps, below, above }
     }
 
-    /// The nearest value on one side that is known to be on one side of the target, with how far from it that is; the nearest one with an
-    /// answer where none is.
+    /// The nearest value in one direction that is clearly above or below the target, with the factor of its distance. If there is
+    /// none, the nearest value with an answer.
     fn beside(&mut self, value: f64, way: f64) -> Option<(Beside, f64)> {
         let [start, end] = self.sweep.range;
         let mut nearest = None;

@@ -1,10 +1,10 @@
-//! Contacts followed from one answer to the next.
+//! Follows contacts from one answer to the next to find events.
 //!
-//! From a value on, the contacts of its answer are kept and only move. What they violate at the end of an interval names
-//! conditions, and the first root of their margins is the event: force at a contact, bend beside a point, length of a zone,
-//! clearance. Just beyond it the beam is solved again, and the rest of the interval is treated in the same way. Where no margin can
-//! be followed, the kind of the answer itself is bisected. Between two answers of one kind, a margin that comes near to zero on the
-//! way is followed to its least value.
+//! From each value on, the contacts of its answer are kept and only move. The conditions that they violate at the end of an interval
+//! are named, and the first root of the margins of these conditions is the event. Margins are contact forces, the bend beside a
+//! point, the length of a zone and clearances. Just beyond the event the beam is solved again, and the rest of the interval is
+//! treated in the same way. If no margin can be followed, the kind of the answer itself is bisected. Between two answers of one kind,
+//! a margin that comes close to zero on the way is followed to its least value.
 
 use std::collections::HashMap;
 
@@ -12,24 +12,24 @@ use super::events::{At, BESIDE, PAST, Root, Search};
 use super::{GOLDEN, last, root};
 use crate::theory::{Condition, Exact};
 
-/// Farther from an event, by these factors, the scene is solved again where its kind is not decided.
+/// Factors on the distance from an event at which the scene is solved again if the kind of the answer is not clear.
 pub(super) const FARTHER: [f64; 4] = [1.0, 1e2, 1e4, 1e6];
 
-/// Events between two rows, at most: more are no events but rounding.
+/// Largest number of events between two rows: more would be rounding.
 const MOST_EVENTS: usize = 1000;
 
 impl Search<'_> {
-    /// True if all work that is allowed has been done.
+    /// Whether all allowed work has been done.
     pub(super) fn is_spent(&self) -> bool {
         self.left.get() == 0
     }
 
-    /// Counts what an answer like this takes, so many times.
+    /// Counts work against the limit.
     fn count(&self, work: u64) {
         self.left.set(self.left.get().saturating_sub(work));
     }
 
-    /// The answer at a value, if there is one, searched for from answers at values nearby.
+    /// The answer at a value, if there is one; the search starts from answers at nearby values.
     pub(super) fn at(&self, value: f64, near: &[&At]) -> Option<At> {
         if self.is_spent() {
             return None;
@@ -40,15 +40,15 @@ impl Search<'_> {
         exact.solved.then(|| At::new(value, exact))
     }
 
-    /// The last answer that is accepted on the way to a value that has none.
+    /// The last accepted answer on the way to a value that has none.
     pub(super) fn farthest(&self, from: &At, to: f64, accepts: impl Fn(&At) -> bool) -> At {
-        /// Halvings: the place is known to a thousand-millionth of the way.
+        /// Number of halvings: the value is then known to a thousand-millionth of the way.
         const HALVINGS: u32 = 30;
         let has = |value, with: &At| self.at(value, &[with]).filter(&accepts);
         last((from.value, from.clone()), to, HALVINGS, |a, b| self.sweep.is_narrow(a, b), has).1
     }
 
-    /// The events on the way from one answer to another, and what appears and goes again between two of one kind.
+    /// Finds the events on the way from one answer to another, including changes that are reversed between two answers of one kind.
     pub(super) fn follow(&self, left: At, right: At, events: &mut Vec<Root>) {
         if !left.is_like(&right) {
             return self.between(left, right, events);
@@ -59,11 +59,11 @@ impl Search<'_> {
         }
     }
 
-    /// An answer of another kind between two of one kind, where a margin goes below zero and comes back.
+    /// An answer of another kind between two answers of one kind, where a margin falls below zero and rises again.
     fn dip(&self, left: &At, right: &At) -> Option<At> {
-        /// Margins are differentiated over this share of the interval.
+        /// Step for the derivatives of margins, as a share of the interval.
         const STEP: f64 = 1e-3;
-        /// Evaluations on the way to the least value.
+        /// Largest number of golden-section steps on the way to the least value.
         const SECTIONS: u32 = 40;
         let width = right.value - left.value;
         let margins = |value: f64| left.exact.margins(&self.sweep.scene(value).ok()?);
@@ -77,7 +77,7 @@ impl Search<'_> {
                 continue;
             };
             let (falls, rises) = ((at_a - next) / STEP, (at_b - last) / STEP);
-            // Where the tangents meet: a margin that is bent one way does not go below it.
+            // The tangents meet here: a margin that curves in one direction does not fall below this value.
             let lowest = (at_a * rises + at_b * falls - falls * rises) / (falls + rises);
             if !(0.0 < falls && 0.0 < rises && lowest < 0.0 && 0.0 < at_a && 0.0 < at_b) {
                 continue;
@@ -101,9 +101,9 @@ impl Search<'_> {
         None
     }
 
-    /// The events on the way from one answer to another of another kind.
+    /// Finds the events on the way from one answer to an answer of another kind.
     fn between(&self, mut left: At, mut right: At, events: &mut Vec<Root>) {
-        /// Where an interval is divided; where there is no answer, elsewhere.
+        /// Shares at which an interval is divided: the next one is tried where there is no answer.
         const SHARES: [f64; 3] = [1.0 - PAST, PAST, 0.5];
         let mut beyond = Vec::new();
         while !left.is_like(&right) && events.len() + beyond.len() < MOST_EVENTS && !self.is_spent() {
@@ -113,7 +113,7 @@ impl Search<'_> {
                 continue;
             }
             if let Some(Root { value, off, before, after }) = self.next_event(&right, &left) {
-                // From the other side what it becomes is what it was.
+                // Seen from the other side, before and after are exchanged.
                 right = after.clone();
                 beyond.push(Root { value, off, before: after, after: before });
                 continue;
@@ -123,7 +123,7 @@ impl Search<'_> {
             let found = |share| self.at(inside(share), &[&left, &right]);
             let Some(middle) = SHARES.into_iter().filter(|_| !narrow).find_map(found) else {
                 let gap = self.gap(&left, &right);
-                // Without work that is left no answer is found anywhere.
+                // If the work is used up, no answer is found anywhere.
                 events.extend((!self.is_spent()).then_some(gap));
                 break;
             };
@@ -139,8 +139,8 @@ impl Search<'_> {
         events.extend(beyond.into_iter().rev());
     }
 
-    /// The event between two answers with none between them that is found: it lies between the last one of the first kind and the first
-    /// one of the other, and no more is known of it.
+    /// The event between two answers without an answer between them. It is between the last answer of the first kind and the first
+    /// answer of the second kind; no more is known.
     fn gap(&self, left: &At, right: &At) -> Root {
         let before = self.farthest(left, right.value, |at| at.is_like(left));
         let after = self.farthest(right, before.value, |at| at.is_like(right));
@@ -148,7 +148,8 @@ impl Search<'_> {
         Root { value, off, before, after }
     }
 
-    /// The first event on the way from `from` to `to`, which may be against the sweep, with an answer just beyond it as `after`.
+    /// The first event on the way from `from` to `to`, which may be against the direction of the sweep, with an answer just beyond it
+    /// as `after`.
     fn next_event(&self, from: &At, to: &At) -> Option<Root> {
         let violated = from.exact.violated_conditions(&self.sweep.scene(to.value).ok()?)?;
         let mut roots: Vec<f64> =
@@ -162,8 +163,8 @@ impl Search<'_> {
             if 0.0 < (before - from.value) * step { self.kept(from, before) } else { Some(from.clone()) }
         };
         let sides: Vec<(f64, At)> = roots.into_iter().map_while(|value| Some((value, near(value)?))).collect();
-        // Beyond it they are others, not the same ones that move fast, and as near to it as may be those of `to`: farther from it there
-        // may be more events before that.
+        // Beyond the event the contacts are different, and not the same contacts that move fast. The answer is taken as close to the
+        // event as possible, and at the first step it may be `to`: farther away there may be more events before it.
         let beyond = |value: f64, farther: f64| {
             let next = value + farther * step;
             let inside = 0.0 < (to.value - next) * step;
@@ -177,7 +178,7 @@ impl Search<'_> {
         })
     }
 
-    /// The answer at a value that has the contacts of another one, if there is one.
+    /// The answer at a value with the contacts of another answer, if it exists.
     pub(super) fn kept(&self, from: &At, value: f64) -> Option<At> {
         self.count(from.exact.work_to_move());
         let exact = from.exact.moved(&self.sweep.scene(value).ok()?)?;
@@ -193,15 +194,15 @@ impl Search<'_> {
         of.exact.margin(&self.sweep.scene(value).ok()?, condition)
     }
 
-    /// Where a margin of the contacts at `from` changes its sign before `to`, at which it is negative.
+    /// The value at which a margin of the contacts at `from` changes its sign before `to`, where it is negative.
     pub(super) fn root(&self, from: &At, to: f64, condition: Condition) -> Option<f64> {
-        /// What a margin may be below zero at a root, as a share of what it is at `to`.
+        /// Largest negative margin that counts as a root, as a share of the margin at `to`.
         const NONE: f64 = 1e-2;
         let of = |value: f64| self.margin(from, value, condition);
         let (good, bad) = (from.value, to);
         let (at_good, at_bad) = (of(good), of(bad).filter(|m| *m < 0.0)?);
         if at_good.is_some_and(|m| m <= 0.0) {
-            // A condition that has no meaning at `from` is violated there by more than rounding.
+            // A condition that is undefined at `from` is violated there by more than rounding.
             return at_good.filter(|m| NONE * at_bad <= *m).map(|_| good);
         }
         let is_done = |a, b| self.is_spent() || self.sweep.is_narrow(a, b);

@@ -1,11 +1,11 @@
-//! The values at which a sweep has its extremes: a search that does not depend on its rows.
+//! The values at which a sweep has its extremes: a search whose result does not depend on the number of rows.
 //!
-//! Between two events an extreme is a smooth function of the value, and at an event it has a kink. The function is known at places that
-//! depend on the range only, and at the rows. Between two of these places it goes no higher than where the lines meet that lead to them
-//! from outside, twice as far to be on the safe side. The stretch that may go highest is divided there, until none may go higher than
-//! the highest value by more than [`KNOWN`]. Beside that value the golden section ends the search.
+//! Between two events an extreme is a smooth function of the value, and at an event it has a kink. The function is known at samples
+//! whose values depend only on the range, and at the rows. Between two samples its upper estimate is where the two lines meet that
+//! lead to them from outside, with twice the height to be safe. The interval with the highest estimate is divided there, until no
+//! estimate exceeds the highest sample by more than [`KNOWN`]. A golden-section search next to that sample ends the search.
 //!
-//! What is not seen is a hill that begins and ends between two places.
+//! The search does not find a peak that begins and ends between two samples.
 
 use std::cell::Cell;
 
@@ -14,30 +14,31 @@ use super::until::{Measure, Measured};
 use super::{GOLDEN, Sweep};
 use crate::theory::Exact;
 
-/// Places at which the scene is solved, beside the rows. *Tuned* on the drawn envelopes of the tests: with a quarter of them none differs.
+/// Number of values at which the scene is solved, in addition to the rows. *Tuned* on the drawn envelopes of the tests: with a
+/// quarter of them no result differs.
 const PLACES: usize = 256;
 
-/// At least so many for each support: one between two supports is a hill of many of its forces.
+/// Minimum number of values per support: a support between two others has one peak for many of its forces.
 const PER_SUPPORT: usize = 8;
 
-/// A stretch that may go higher than the highest value by less than this share of it is left: what governs is known to six digits, and
-/// smooth hills that are as high as others to this share are one.
+/// An interval is not divided if its estimate exceeds the highest sample by less than this share: the governing value is known to six
+/// digits, and smooth peaks that are equally high to this share count as one.
 const KNOWN: f64 = 1e-8;
 
-/// Stretches shorter than this share of the range are not divided.
+/// Intervals shorter than this share of the range are not divided.
 const SHORTEST: f64 = 1e-7;
 
-/// By this factor a stretch may go higher than the lines beside it meet: they are secants, and what is bent upwards is steeper inside.
+/// Safety factor on the height at which the lines meet: they are secants, and a function that curves upwards is steeper inside.
 const SAFE: f64 = 2.0;
 
-/// Divisions for one extreme at most.
+/// Largest number of divisions for one extreme.
 const DIVISIONS: usize = 1000;
 
-/// What is left of a bracket in which the governing value is, as a share of the range: a moment that is smooth there is then known to
-/// twice these digits, and one with a kink to these.
+/// Final width of the bracket of the governing value, as a share of the range. A moment that is smooth there is then known to twice
+/// these digits, and a moment with a kink to these digits.
 const LEFT: f64 = 1e-9;
 
-/// What is to be as large as possible: an extreme with its sign.
+/// A quantity to be maximised: an extreme with its sign.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Extreme {
     Moment {
@@ -47,7 +48,7 @@ pub(super) enum Extreme {
         index: usize,
         sign: f64,
     },
-    /// Of what is measured.
+    /// The measured quantity.
     Asked {
         sign: f64,
     },
@@ -57,17 +58,17 @@ pub(super) enum Extreme {
 #[derive(Debug, Clone)]
 pub(super) struct Sample {
     pub(super) value: f64,
-    /// None where there is no answer.
+    /// The extremes; none if there is no answer.
     known: Option<Known>,
 }
 
 #[derive(Debug, Clone)]
 struct Known {
-    /// Greatest and least moment, the least with its sign changed, and their places.
+    /// The greatest moment and the least moment with its sign changed, each with its position.
     moments: [[f64; 2]; 2],
-    /// Force and place of each.
+    /// The force and position of each support.
     supports: Vec<[f64; 2]>,
-    /// If something is measured.
+    /// The measured number, if one is measured.
     asked: Option<Measured>,
 }
 
@@ -84,17 +85,17 @@ impl Sample {
         self
     }
 
-    /// On which side of a target it is ([`Measured::side`]); none without an answer.
+    /// The side of a target on which the measured number is ([`Measured::side`]); none without an answer.
     pub(super) fn side(&self, target: f64) -> Option<f64> {
         self.asked().map(|asked| asked.side(target))
     }
 
-    /// What was measured.
+    /// The measured number.
     pub(super) fn asked(&self) -> Option<Measured> {
         self.known.as_ref()?.asked
     }
 
-    /// The size of an extreme, times its sign.
+    /// The value of an extreme, times its sign.
     fn size(&self, extreme: Extreme) -> Option<f64> {
         let known = self.known.as_ref()?;
         match extreme {
@@ -105,7 +106,7 @@ impl Sample {
     }
 }
 
-/// An extreme that was found: its size times its sign, the value of the number varied, and its place, if it has one.
+/// An extreme that was found: its value times its sign, the value of the varied number, and its position, if it has one.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Largest {
     pub(super) size: f64,
@@ -117,28 +118,28 @@ pub(super) struct Largest {
 #[derive(Debug)]
 pub(super) struct Govern<'a> {
     sweep: &'a Sweep<'a>,
-    /// What is measured, if something is.
+    /// The measured quantity, if there is one.
     asked: Option<Measure>,
     /// In the order of the sweep.
     pub(super) samples: Vec<Sample>,
     near: Option<Exact>,
-    /// The work that is left, as [`Exact::work`] counts it.
+    /// The remaining work, in units of [`Exact::work`].
     left: &'a Cell<u64>,
 }
 
 impl<'a> Govern<'a> {
-    /// From the samples of the rows.
+    /// A search that starts from the samples of the rows.
     pub(super) fn new(sweep: &'a Sweep<'a>, rows: Vec<Sample>, left: &'a Cell<u64>) -> Self {
         let all = Self { sweep, asked: None, samples: rows, near: None, left };
         if all.samples.is_empty() { all } else { all.on_places() }
     }
 
-    /// For a number that is measured.
+    /// A search for the extremes of a measured quantity.
     pub(super) fn of(sweep: &'a Sweep<'a>, asked: Measure, left: &'a Cell<u64>) -> Self {
         Self { sweep, asked: Some(asked), samples: Vec::new(), near: None, left }.on_places()
     }
 
-    /// With the samples of the places.
+    /// Adds the samples at the values that depend only on the range.
     fn on_places(mut self) -> Self {
         let sweep = self.sweep;
         let [start, end] = sweep.range;
@@ -151,7 +152,7 @@ impl<'a> Govern<'a> {
         self
     }
 
-    /// The extreme that sample `i` has, if there is one.
+    /// The extreme of sample `i`, if it has one.
     fn found(&self, i: usize, extreme: Extreme) -> Option<Largest> {
         let sample = self.samples.get(i)?;
         let known = sample.known.as_ref()?;
@@ -163,13 +164,13 @@ impl<'a> Govern<'a> {
         Some(Largest { size: sample.size(extreme)?, value: sample.value, at })
     }
 
-    /// How far along the sweep a value is.
+    /// The distance of a value from the start of the sweep.
     fn along(&self, value: f64) -> f64 {
         let [start, end] = self.sweep.range;
         (value - start) * (end - start).signum()
     }
 
-    /// Solves the scene at a value, unless that is known or no work is left; the index of its sample.
+    /// Solves the scene at a value, unless its sample exists or no work is left. Returns the index of the sample.
     fn sample(&mut self, value: f64) -> Option<usize> {
         let along = self.along(value);
         let at = self.samples.partition_point(|sample| self.along(sample.value) < along);
@@ -181,7 +182,7 @@ impl<'a> Govern<'a> {
         Some(at)
     }
 
-    /// The sample of a value, unless no work is left.
+    /// The sample at a value, unless no work is left.
     pub(super) fn solved(&mut self, value: f64) -> Option<Sample> {
         if self.left.get() == 0 {
             return None;
@@ -201,14 +202,14 @@ impl<'a> Govern<'a> {
         self.samples.get(i)?.size(extreme)
     }
 
-    /// The largest sample; of equal ones the first.
+    /// The largest sample; if several are equal, the first.
     fn best(&self, extreme: Extreme) -> Option<(usize, f64)> {
         let sizes = self.samples.iter().enumerate().filter_map(|(i, sample)| Some((i, sample.size(extreme)?)));
         sizes.fold(None, |best, (i, size)| best.filter(|(_, most)| size <= *most).or(Some((i, size))))
     }
 
-    /// How much an extreme grows towards sample `i` from the nearest one on a side that is not so near that rounding counts, for each
-    /// unit of the value.
+    /// The growth of an extreme per unit of the value towards sample `i`, from the nearest sample on one side that is far enough away
+    /// for rounding not to matter.
     fn growth(&self, i: usize, before: bool, extreme: Extreme) -> Option<f64> {
         /// As a share of the range.
         const APART: f64 = 1e-5;
@@ -220,9 +221,9 @@ impl<'a> Govern<'a> {
         Some((self.size(i, extreme)? - self.size(other, extreme)?) / distance(&other))
     }
 
-    /// How high an extreme may go between sample `i` and the next one, and where the stretch is divided to find out.
+    /// The upper estimate of an extreme between sample `i` and the next one, and the value at which to divide this interval.
     fn highest(&self, i: usize, extreme: Extreme) -> Option<(f64, f64)> {
-        /// A stretch is divided no nearer to its ends than this share of it.
+        /// Smallest distance between a division and the ends of its interval, as a share of the interval.
         const INSIDE: f64 = 0.1;
         let [a, b] = [&self.samples[i], self.samples.get(i + 1)?].map(|sample| sample.value);
         let width = (b - a).abs();
@@ -234,7 +235,7 @@ impl<'a> Govern<'a> {
             (Some(one), None) => (one, one + before.unwrap_or(0.0).max(0.0) * width, 0.5),
             (None, Some(one)) => (one, one + beyond.unwrap_or(0.0).max(0.0) * width, 0.5),
             (Some(left), Some(right)) => {
-                // Beside an end of the range nothing leads to it.
+                // At an end of the range no line leads to the sample from outside.
                 let secant = ((right - left) / width).abs();
                 let [rise, fall] = [before, beyond].map(|growth| growth.unwrap_or(secant).max(0.0));
                 let share = ((right - left) / width + fall) / (rise + fall);
@@ -247,7 +248,7 @@ impl<'a> Govern<'a> {
         Some((highest, a + (b - a) * share.clamp(INSIDE, 1.0 - INSIDE)))
     }
 
-    /// Divides the stretches in which an extreme may go higher than `limit`, of those that are open to it.
+    /// Divides the intervals in which an extreme may exceed `limit`, among those that `is_open` accepts.
     fn divide(
         &mut self,
         extreme: Extreme,
@@ -271,7 +272,7 @@ impl<'a> Govern<'a> {
         }
     }
 
-    /// Divides the stretches on one side of a target of what is measured in which it may be reached.
+    /// Divides intervals with both ends on one side of a target of the measured quantity, if the target may be reached inside.
     pub(super) fn towards(&mut self, target: f64) {
         for sign in [1.0, -1.0] {
             let is_short = |sample: &Sample| sample.side(target).is_none_or(|side| sign * side < 0.0);
@@ -292,7 +293,7 @@ impl<'a> Govern<'a> {
         Some(self.refined(extreme, i, best))
     }
 
-    /// The extreme between the values beside the one where it is largest, by golden section.
+    /// The extreme between the samples next to the largest one, by golden-section search.
     fn refined(&mut self, extreme: Extreme, i: usize, mut best: Largest) -> Largest {
         let [start, end] = self.sweep.range;
         let whole = (end - start).abs();

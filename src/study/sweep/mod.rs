@@ -1,24 +1,24 @@
-//! One number of a scene varied: an exact answer for each value, certified, and the values between them at which the answer changes
-//! its kind.
+//! Sweeps: one number of a scene varied, with a certified exact answer for each value and the events at which the kind of the answer
+//! changes.
 //!
 //! Each answer starts from the contacts of its neighbour and is checked like any other. An [`Event`] is a value at which a contact
-//! appears or goes, becomes a zone or a point, splits, merges or moves over an edge, or a support begins or ceases to pull. It is a
-//! root of the condition that decides it, with the contacts beside it held fixed, and not a sample (module `events`).
+//! appears or is lost, becomes a zone or a point, splits, merges or moves over an edge, or at which a support starts or stops being
+//! in tension. It is not a sample but a root of the condition that decides it, with the contacts next to it fixed (module `events`).
 //!
-//! What is guaranteed: the kinds of two rows lead from one to the other by the events between them. Events are searched for from one to
-//! the next of 256 values that depend on the range only, so that other numbers of rows have the same events. Between two of these
-//! values a condition that comes near to failing is followed to where it comes nearest; what appears and goes again without such a
-//! warning may be missed, unless a row lies between. Events nearer to each other than `2·10⁻¹⁰` of the range are reported as one, and
-//! so are those between which one answer has several lists of contacts that all meet their conditions to 12 digits.
+//! Guarantee: the events between two rows lead from the kind of one row to the kind of the other. Events are searched for between 256
+//! consecutive values that depend only on the range, so the number of rows does not change the events. Between two of these values, a
+//! condition that comes close to failing is followed to its closest value. What appears and disappears without such a warning may be
+//! missed, unless a row is in between. Events closer together than `2·10⁻¹⁰` of the range are reported as one. So are events between
+//! which an answer has several lists of contacts that all satisfy their conditions to 12 digits.
 //!
-//! Work is counted and not timed ([`Exact::work`](crate::theory::Exact::work)): a caller may stop a walk, or a search for events, at
+//! Work is counted and not timed ([`Exact::work`](crate::theory::Exact::work)). A caller may stop a walk or a search for events at
 //! [`MOST_WORK`].
 //!
 //! ```
 //! use palkki::scene::{Beam, Foundation, Load, Scene};
 //! use palkki::sweep::Sweep;
 //!
-//! // q l⁴/(384 EI) = 20: down to this depth the beam lies on a zone, down to five times that on a point, and deeper nowhere.
+//! // q l⁴/(384 EI) = 20: down to this depth the beam lies on a zone, down to five times this depth on a point, and deeper nowhere.
 //! let beam = Beam::new(10.0, 10_000.0 / 384.0 / 20.0)?;
 //! let scene = Scene::new(beam.clone(), Load::uniform_on(&beam, 1.0)?, Some(Foundation::Flat { depth: 1.0 }))?;
 //! let sweep = Sweep::new(&scene, "foundation.depth", [1.0, 150.0], 12)?;
@@ -51,63 +51,64 @@ pub use events::{Event, Events};
 pub use find::{Beside, Finding, Found};
 pub use until::{Measure, Until, UntilError};
 
-/// The most values of a sweep.
+/// The largest number of values in a sweep.
 pub const MOST_STEPS: usize = 20_001;
 
-/// Work that the rows of a sweep take at the most where it is limited, and its events as well, as [`Walk::work`] counts it: some ten
-/// seconds each on a slow machine, and more for scenes of a few pieces than 20,001 rows need.
+/// Limit on the work for the rows of a sweep, and separately for its events, in units of [`Walk::work`]: some ten seconds each on a
+/// slow machine, and more than 20,001 rows need for scenes with few pieces.
 pub const MOST_WORK: u64 = 50_000_000;
 
 /// The golden section, `(√5 − 1)/2`.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-/// Why there is no sweep.
+/// The reason why there is no sweep.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SweepError {
     /// The number cannot be varied.
     #[error(transparent)]
     Path(#[from] PathError),
-    /// A number that is named twice.
+    /// A number is named twice.
     #[error("`{0}` is to be varied twice")]
     Twice(Quantity),
-    /// Numbers that cannot be changed by the same amount.
+    /// The numbers cannot be changed by the same amount.
     #[error("`{first}` and `{other}` cannot move together: one amount for both would have two units")]
     Units {
         /// The number that has the values.
         first: Quantity,
-        /// One that moves with it.
+        /// A number that moves with it.
         other: Quantity,
     },
-    /// A scene that no sweep is built for.
+    /// Sweeps do not support the scene.
     #[error(transparent)]
     Scene(#[from] SceneError),
     /// Too few or too many values.
     #[error("the number of steps must be between 2 and {MOST_STEPS}, but is {0}")]
     Steps(usize),
-    /// A range without a length, or one that is not finite.
+    /// The range has no length, or an end that is not finite.
     #[error("the range must have two different, finite ends, but goes from {} to {}", shown(*from), shown(*to))]
     Range {
-        /// Its start.
+        /// The start of the range.
         from: f64,
-        /// Its end.
+        /// The end of the range.
         to: f64,
     },
-    /// A value for which there is no scene, or no answer of beam theory.
+    /// A value has no scene or no answer of beam theory.
     #[error("there is no answer for `{quantity}` = {}{}: {error}", shown(*value), from(*border, *value))]
     Invalid {
-        /// The number that is varied.
+        /// The varied number.
         quantity: Quantity,
         /// A value of the sweep without an answer.
         value: f64,
-        /// Between the last value with an answer and this one: where answers end. This value itself where no value before it has an answer.
+        /// The position of the border between the last value with an answer and this one; this value itself if no value before it has
+        /// an answer.
         border: f64,
-        /// Why.
+        /// The reason.
         error: TheoryError,
     },
 }
 
 impl SweepError {
-    /// Whether there is no answer for a value because the beam buckles.
+    /// Whether a value has no answer because the beam buckles.
     #[must_use]
     pub fn buckles(&self) -> bool {
         let Self::Invalid { error: TheoryError::Scene(error), .. } = self else { return false };
@@ -119,7 +120,7 @@ fn from(border: f64, value: f64) -> String {
     if border.total_cmp(&value).is_eq() { String::new() } else { format!(", and none from {} on", shown(border)) }
 }
 
-/// A scene, the number of it that is varied, and its values.
+/// A scene, its varied number, and the values of this number.
 #[derive(Debug, Clone)]
 pub struct Sweep<'a> {
     scene: &'a Scene,
@@ -130,36 +131,37 @@ pub struct Sweep<'a> {
     steps: usize,
 }
 
-/// A number that moves with the first one.
+/// A number that moves with the varied number.
 #[derive(Debug, Clone, Copy)]
 struct Moves {
     quantity: Quantity,
-    /// What it is in the scene.
+    /// Its value in the scene.
     number: f64,
-    /// By how much for each unit of the first one: 1 or −1.
+    /// Its change for each unit of the varied number: 1 or −1.
     sign: f64,
 }
 
 /// An answer of a sweep.
 #[derive(Debug, Clone)]
 pub struct Row {
-    /// The value of the number that is varied.
+    /// The value of the varied number.
     pub value: f64,
     /// The answer with its verdict, without its functions of `x`.
     pub solution: Solution,
-    /// Its kind.
+    /// The kind of the answer.
     pub pattern: Pattern,
 }
 
 impl<'a> Sweep<'a> {
-    /// A sweep over `steps` values from `range[0]` to `range[1]`, both included, of the number with this path
-    /// ([`Scene::quantity`]). Of several paths, with commas between them, the first has these values, and the others are changed by the
-    /// same amount as it: an axle keeps its distance from the next. A path after a minus sign is changed by minus the amount, and `[*]` in
-    /// a path stands for each index that there is.
+    /// A sweep over `steps` values from `range[0]` to `range[1]`, both included, of the number with this path ([`Scene::quantity`]).
+    ///
+    /// If there are several paths, separated by commas, the first number has these values and the others change by the same amount:
+    /// an axle keeps its distance from the next. A path after a minus sign changes by minus this amount. `[*]` in a path stands for
+    /// every existing index.
     ///
     /// # Errors
     ///
-    /// [`SweepError`], but for values without an answer, which are found on the way.
+    /// [`SweepError`], except for values without an answer, which are found only when they are solved.
     pub fn new(scene: &'a Scene, path: &str, range: [f64; 2], steps: usize) -> Result<Self, SweepError> {
         let (first, others) = path.split_once(',').map_or((path, None), |(first, others)| (first, Some(others)));
         let first = each(scene, first.trim())?;
@@ -191,14 +193,13 @@ impl<'a> Sweep<'a> {
         Ok(Self { scene, quantity, with, range, steps })
     }
 
-    /// The number that is varied; of several, the first.
+    /// The varied number; if there are several, the first.
     #[must_use]
     pub fn quantity(&self) -> Quantity {
         self.quantity
     }
 
-    /// The paths of all numbers that are varied, with commas between them, and a minus sign before those that are changed by minus the
-    /// amount.
+    /// The paths of all varied numbers, separated by commas, with a minus sign before those that change by minus the amount.
     #[must_use]
     pub fn paths(&self) -> String {
         let others = self.with.iter().map(|Moves { quantity, sign, .. }| {
@@ -208,7 +209,7 @@ impl<'a> Sweep<'a> {
         std::iter::once(self.quantity.to_string()).chain(others).collect::<Vec<_>>().join(",")
     }
 
-    /// Its values.
+    /// The values of the varied number.
     #[expect(clippy::cast_precision_loss, reason = "at most 20,001 steps")]
     pub fn values(&self) -> impl ExactSizeIterator<Item = f64> + use<> {
         let ([from, to], last) = (self.range, self.steps - 1);
@@ -221,18 +222,18 @@ impl<'a> Sweep<'a> {
         Walk { sweep: self, last: None, work: 0 }
     }
 
-    /// What gathers the envelope of the rows.
+    /// A collector for the envelope of the rows.
     #[must_use]
     pub fn gathered(&self) -> Gathered<'_> {
         Gathered::new(self)
     }
 
-    /// All rows, or those before the beam buckles.
+    /// All rows, or the rows before the beam buckles.
     ///
     /// # Errors
     ///
-    /// [`SweepError::Invalid`] at the first value without an answer, unless the beam buckles there and has an answer for a value before. A row
-    /// that is not certified is no error.
+    /// [`SweepError::Invalid`] at the first value without an answer, unless the beam buckles there and an earlier value has an
+    /// answer. A row that is not certified is not an error.
     pub fn rows(&self) -> Result<Vec<Row>, SweepError> {
         let (mut walk, mut rows) = (self.walk(), Vec::new());
         for value in self.values() {
@@ -245,7 +246,7 @@ impl<'a> Sweep<'a> {
         Ok(rows)
     }
 
-    /// The answer for a value, searched for from those of values nearby.
+    /// The answer for a value; the search starts from the answers at nearby values.
     fn answer(&self, value: f64, near: &[&Exact]) -> Result<(Scene, Exact), TheoryError> {
         let scene = self.scene(value)?;
         let exact = theory::solve_near(&scene, near)?;
@@ -253,7 +254,7 @@ impl<'a> Sweep<'a> {
     }
 }
 
-/// A walk from value to value, in their order: each answer is where the search for the next one starts.
+/// A walk from value to value, in their order. The search for each answer starts from the previous one.
 #[derive(Debug)]
 pub struct Walk<'a> {
     sweep: &'a Sweep<'a>,
@@ -261,7 +262,7 @@ pub struct Walk<'a> {
     work: u64,
 }
 
-/// A value, with its scene and its answer: what an envelope gathers, and a row is made of.
+/// A value with its scene and its answer, from which envelopes and rows are made.
 #[derive(Debug)]
 pub struct Step {
     value: f64,
@@ -269,24 +270,24 @@ pub struct Step {
     exact: Exact,
 }
 
-/// What an answer has at a place.
+/// The results of an answer at a position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct AtPlace {
-    /// Where \[length\].
+    /// The position \[length\].
     pub x: f64,
     /// `v`, positive downwards \[length\].
     pub deflection: f64,
     /// `v'`.
     pub slope: f64,
-    /// `M` just left and just right of the place \[force · length\].
+    /// `M` just left and just right of the position \[force · length\].
     pub moment: [f64; 2],
-    /// `V = M'` just left and just right of the place \[force\].
+    /// `V = M'` just left and just right of the position \[force\].
     pub shear: [f64; 2],
 }
 
 impl Step {
-    /// What its answer has at a place of the beam.
+    /// The results at a position of the beam.
     #[must_use]
     pub fn at(&self, x: f64) -> AtPlace {
         let exact = &self.exact;
@@ -301,7 +302,7 @@ impl Step {
 }
 
 impl Walk<'_> {
-    /// The work that its rows have taken.
+    /// The work needed for the rows so far.
     #[must_use]
     pub fn work(&self) -> u64 {
         self.work
@@ -325,7 +326,7 @@ impl Walk<'_> {
         }
     }
 
-    /// The answer with its verdict. The next one starts from it.
+    /// The answer with its verdict. The next answer starts from it.
     pub fn row(&mut self, Step { value, scene, exact }: Step) -> Row {
         let pattern = exact.pattern();
         self.work = self.work.saturating_add(exact.work()).saturating_add(exact.work_of_bounds());
@@ -334,7 +335,7 @@ impl Walk<'_> {
         Row { value, solution, pattern }
     }
 
-    /// The last value with a well-posed scene on the way from one that has one to one that has none.
+    /// The last value with a well-posed scene on the way from a value with one to a value without.
     #[must_use]
     pub fn border(&self, with: f64, without: f64) -> f64 {
         let has = |value, (): &()| self.sweep.scene(value).and_then(|scene| scene.scaled()).ok().map(drop);
@@ -342,7 +343,7 @@ impl Walk<'_> {
     }
 }
 
-/// The numbers of a path, in which `[*]` stands for each index that there is.
+/// The numbers of a path, in which `[*]` stands for every existing index.
 fn each(scene: &Scene, path: &str) -> Result<Vec<Quantity>, PathError> {
     let Some((before, behind)) = path.split_once("[*]") else {
         return scene.quantity(path).map(|quantity| vec![quantity]);
@@ -352,8 +353,9 @@ fn each(scene: &Scene, path: &str) -> Result<Vec<Quantity>, PathError> {
     Ok(std::iter::once(of(0)?).chain(rest).collect())
 }
 
-/// The last value with something, and that, between one that has it and one that has not: by so many halvings, fewer where there is no
-/// number between or where that is narrow enough.
+/// Bisects between a value for which `has` finds something and a value for which it does not. Returns the last value with a finding,
+/// and the finding. The search ends after this many halvings, or earlier if there is no number in between or the interval
+/// `is_narrow`.
 fn last<T>(
     mut with: (f64, T),
     mut without: f64,

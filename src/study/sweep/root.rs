@@ -1,24 +1,25 @@
-//! The root of a function of the value varied.
+//! The root of a function of the varied number.
 
 use super::Sweep;
 
-/// A value below this share of the range has no digits of its own that count.
+/// Values below this share of the range are treated as this large when rounding is estimated.
 const SMALL: f64 = 1e-3;
 
-/// Secants in turn before the middle is taken.
+/// Number of consecutive secant steps before a bisection step.
 const SECANTS: u32 = 3;
 
 impl Sweep<'_> {
-    /// True if nothing is between two values.
+    /// Whether two values are so close that only rounding separates them.
     pub(super) fn is_narrow(&self, a: f64, b: f64) -> bool {
         let [start, end] = self.range;
         (b - a).abs() <= 2.0 * f64::EPSILON * a.abs().max(b.abs()).max(SMALL * (end - start).abs())
     }
 }
 
-/// Where a function changes its sign from the value `good`, at which it is positive or has no number, to `bad`, at which it is negative:
-/// the secant, with the number at an end that stays halved (Illinois), and the middle where that does not halve the interval soon.
-/// The search ends where it `is_done` between two values.
+/// The root of a function between the value `good`, where it is positive or undefined, and `bad`, where it is negative.
+///
+/// The method is the secant, with the number at an end that stays halved (Illinois), and every fourth step is a bisection. The search
+/// ends when it `is_done` between two values.
 pub(super) fn root(
     (mut good, mut at_good): (f64, Option<f64>),
     (mut bad, mut at_bad): (f64, f64),

@@ -1,17 +1,18 @@
-//! The value of an event found from both sides, and how well it is known.
+//! The value of an event from both sides, and its uncertainty.
 //!
-//! Where a force or a clearance grows slowly from zero, the contacts before an event meet their conditions to 12 digits for a while after
-//! it, and those after it for a while before it. Of the two margins that vanish there the one that leaves its tolerance sooner is the
-//! steeper one and gives the value; by how much the other one differs is how well it is known.
+//! If a force or a clearance grows slowly from zero, the contacts before an event satisfy their conditions to 12 digits for some
+//! distance after it, and the contacts after it for some distance before it. Two margins vanish there. The margin that leaves its
+//! tolerance sooner is steeper and gives the value. The difference between the two roots is the uncertainty.
 
 use super::events::{At, Root, Search};
 use super::last;
 
-/// The scene is solved on both sides of an event so far from it, as a share of the range: an event known better is left as it is.
+/// Distance from an event at which the scene is solved on both sides, as a share of the range: an event known better than this stays
+/// as it is.
 const KNOWN: f64 = 2e-10;
 
 impl Search<'_> {
-    /// The value of a root and by how much it may be off.
+    /// The value of a root and its uncertainty.
     pub(super) fn settled(&self, root: &Root) -> (f64, f64) {
         let [start, end] = self.sweep.range;
         let least = KNOWN * (end - start).abs();
@@ -23,7 +24,7 @@ impl Search<'_> {
             return (root.value, honest(root.off));
         }
         let [first, last] = [root.value - onward * early, root.value + onward * late];
-        // Beyond what the contacts meet, their margin is negative.
+        // Beyond the range in which the contacts satisfy their conditions, a margin is negative.
         let beyond = |from: &At, reach: f64, way: f64| self.crossing(from, root.value + way * (2.0 * reach + least));
         let before = beyond(&root.before, late, onward);
         let after = beyond(&root.after, early, -onward);
@@ -37,13 +38,13 @@ impl Search<'_> {
         (inside, honest(uncertainty.max(root.off)))
     }
 
-    /// How far beyond `value` the contacts of an answer are one, `step` being the first step that is tried; 0 if they are not.
+    /// The distance beyond `value` over which the contacts of an answer stay valid; 0 if they do not. `step` is the first step tried.
     fn lasts(&self, at: &At, value: f64, step: f64) -> f64 {
-        /// By so much each step is longer than the one before: the last one is a hundredth of the range or so.
+        /// Factor from one step to the next: the last step is about a hundredth of the range.
         const LONGER: f64 = 4.0;
-        /// From [`KNOWN`] on: `4¹²` times as far.
+        /// Number of steps from [`KNOWN`] on: the last is `4¹²` times as long.
         const STEPS: usize = 13;
-        /// The end is then known to a thousandth of the last step.
+        /// Number of halvings: the end is then known to a thousandth of the last step.
         const HALVINGS: u32 = 12;
         let steps = std::iter::successors(Some(step), |step| Some(LONGER * step)).take(STEPS);
         let meets = |step: &f64| self.kept(at, value + step).is_some();
@@ -51,7 +52,7 @@ impl Search<'_> {
         last((with, ()), LONGER * with, HALVINGS, |_, _| false, |step, ()| meets(&step).then_some(())).0.abs()
     }
 
-    /// Where the contacts of an answer first violate a condition on the way to a value, at which they do.
+    /// The value at which the contacts of an answer first violate a condition on the way to `to`, where they violate one.
     fn crossing(&self, from: &At, to: f64) -> Option<f64> {
         let violated = from.exact.violated_conditions(&self.sweep.scene(to).ok()?)?;
         let roots = violated.into_iter().filter_map(|condition| self.root(from, to, condition));

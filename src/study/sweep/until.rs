@@ -1,11 +1,11 @@
-//! What a search along a sweep looks for: `deflection(4.0) = 0.0095`, or `contact`.
+//! Targets of a search along a sweep: `deflection(4.0) = 0.0095`, or `contact`.
 
 use std::fmt;
 
 use crate::scene::{Scene, shown};
 use crate::theory::Exact;
 
-/// A number that each answer of a sweep has.
+/// A quantity that can be measured in each answer of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Measure {
     /// `v(x)`, positive downwards \[length\].
@@ -16,61 +16,61 @@ pub enum Measure {
     Shear(f64),
     /// `h(x)` \[length\].
     Clearance(f64),
-    /// The reaction of this support, counted from 0 on from left to right, positive upwards on the beam \[force\].
+    /// The reaction of this support, counted from 0 from left to right, positive upwards on the beam \[force\].
     Support(usize),
-    /// The total contact force where the beam touches the foundation \[force\]; where it does not, minus the least clearance \[length\]:
+    /// The total contact force if the beam touches the foundation \[force\]; otherwise minus the least clearance \[length\]. It is
     /// zero where contact begins or ends.
     Contact,
-    /// Without a foundation, of compression-only supports: their least force where the beam bears on all of them \[force\], else minus the
-    /// largest clearance at one \[length\].
+    /// For compression-only supports without a foundation: their least force if the beam bears on all of them \[force\]; otherwise
+    /// minus the largest clearance at one of them \[length\].
     Bearings,
 }
 
-/// A measure and the number that it is to be.
+/// A measured quantity and its target.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Until {
-    /// What is measured.
+    /// The measured quantity.
     pub measure: Measure,
-    /// What it is to be; 0 for [`Measure::Contact`] and [`Measure::Bearings`].
+    /// The target; 0 for [`Measure::Contact`] and [`Measure::Bearings`].
     pub target: f64,
 }
 
-/// Why a text is nothing that can be looked for.
+/// The reason why a text is not a valid target.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum UntilError {
-    /// It has none of the forms.
+    /// The text has none of the accepted forms.
     #[error(
         "`{0}` is not a condition. The forms are `contact`, where contact begins or ends, and `QUANTITY = NUMBER` \
          with one of the quantities deflection(x), moment(x), shear(x), clearance(x), and support[i] for a reaction"
     )]
     Form(String),
-    /// The number is none.
+    /// The right-hand side is not a finite number.
     #[error("the right-hand side of `{text}` must be a finite number, but is `{number}`")]
     Number {
         /// The whole text.
         text: String,
-        /// What stands for the number.
+        /// The text in place of the number.
         number: String,
     },
-    /// A position beyond the beam.
+    /// The position is not on the beam.
     #[error("the position in `{measure}` must lie on the beam, between 0 and {}", shown(*length))]
     Place {
-        /// With the position.
+        /// The measured quantity, with the position.
         measure: Measure,
-        /// Of the beam.
+        /// The length of the beam.
         length: f64,
     },
-    /// A support that is not there.
+    /// The support does not exist.
     #[error(
         "`{measure}` must be one of the {count} supports of the beam, which are counted from 0 on from left to right"
     )]
     Support {
-        /// With the number of the support.
+        /// The measured quantity, with the index of the support.
         measure: Measure,
-        /// How many supports there are.
+        /// The number of supports.
         count: usize,
     },
-    /// There is nothing to touch.
+    /// There is no foundation or compression-only support.
     #[error("`{0}` needs a foundation or a support with `pushes_only`, and the scene has neither")]
     NoFoundation(Measure),
 }
@@ -121,7 +121,7 @@ impl Until {
     }
 }
 
-/// A number that is measured, and what its rounding is compared with: the largest number of its kind in the same answer.
+/// A measured number, and the largest number of its kind in the same answer, with which its rounding is compared.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Measured {
     pub(super) number: f64,
@@ -129,16 +129,16 @@ pub(super) struct Measured {
 }
 
 impl Measured {
-    /// Answers meet their conditions to 12 digits.
+    /// Answers satisfy their conditions to 12 digits.
     const DIGITS: f64 = 1e-12;
 
-    /// Above a target, 1; below it, −1; 0 where it is reached to rounding.
+    /// 1 above a target, −1 below it, and 0 if it is reached to rounding.
     pub(super) fn side(self, target: f64) -> f64 {
         let off = self.number - target;
         if off.abs() <= self.rounding(target) { 0.0 } else { off.signum() }
     }
 
-    /// By how much it may be off beside a target.
+    /// Rounding of the number near a target.
     pub(super) fn rounding(self, target: f64) -> f64 {
         Self::DIGITS * self.size.max(target.abs())
     }
@@ -160,13 +160,13 @@ impl Measure {
         }
     }
 
-    /// Whether it is where contact begins or ends.
+    /// Whether the target is the beginning or end of contact.
     #[must_use]
     pub fn is_contact(self) -> bool {
         matches!(self, Self::Contact | Self::Bearings)
     }
 
-    /// Whether the beam of a scene has it.
+    /// Checks that the beam of a scene has this quantity.
     fn fits(self, scene: &Scene) -> Result<(), UntilError> {
         let (length, supports) = (scene.beam().length(), scene.beam().all_supports());
         let bearing = |x: f64| supports.iter().any(|support| support.pushes_only && support.at.total_cmp(&x).is_eq());
@@ -187,7 +187,7 @@ impl Measure {
         }
     }
 
-    /// What it is in an answer of a beam of this length, if that is a number.
+    /// The quantity in an answer of a beam of this length, if it is a finite number.
     pub(super) fn of(self, exact: &Exact, length: f64) -> Option<Measured> {
         let state = &exact.state;
         let deflection = state.deflection.max.abs().max(state.deflection.min.abs());
