@@ -1,26 +1,26 @@
-//! Axes: a label with its unit, linear or logarithmic, and which way its numbers grow; and the labelled places along them, round numbers or decades.
+//! Axes of panels: label and unit, scale and direction, and labelled ticks at round numbers or decades.
 
 use super::{PlotError, count as number, finite};
 use crate::text::{decade, fixed, power_of_ten, significant, ten_to};
 
-/// One axis of a panel.
+/// An axis of a panel.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
-    /// What it shows, without the unit; empty if nothing is to be written.
+    /// The quantity, without the unit; empty for no heading.
     pub label: String,
     /// Unit of the numbers.
     pub unit: Option<String>,
-    /// Whether the numbers are spread by their logarithm, or else evenly.
+    /// Whether the scale is logarithmic instead of linear.
     pub log: bool,
-    /// Whether the numbers of a vertical axis grow downwards, as deflections do; a horizontal axis grows to the right.
+    /// Whether the numbers of a vertical axis grow downwards, as deflections do. A horizontal axis grows to the right.
     pub down: bool,
-    /// Numbers that the axis reaches at least, whatever the data.
+    /// Numbers that the axis includes, whatever the data.
     pub include: Vec<f64>,
-    /// Part of the range that is added at either end, so that lines do not run along the frame.
+    /// Share of the range added at each end, so that lines do not run along the frame.
     pub padding: f64,
     /// Whether numbers and grid lines are drawn.
     pub numbers: bool,
-    /// What stands at 0, 1, 2 … instead of numbers; empty for an axis of numbers.
+    /// Names at 0, 1, 2 … instead of numbers; empty for an axis of numbers.
     pub names: Vec<String>,
 }
 
@@ -39,7 +39,7 @@ impl Axis {
         }
     }
 
-    /// An axis along a beam from one place to another, with room for the marks of supports.
+    /// An axis along a beam between two positions, with room for the support symbols.
     pub fn along(label: impl Into<String>, ends: [f64; 2]) -> Self {
         Self { padding: 0.03, ..Self::new(label).including(&ends) }
     }
@@ -55,32 +55,32 @@ impl Axis {
         Self { unit, ..self }
     }
 
-    /// Growing downwards.
+    /// With numbers that grow downwards.
     #[must_use]
     pub fn down(self) -> Self {
         Self { down: true, ..self }
     }
 
-    /// Logarithmic.
+    /// With a logarithmic scale.
     #[must_use]
     pub fn log(self) -> Self {
         Self { log: true, ..self }
     }
 
-    /// Without numbers: the panel only shows what has a scale of its own, such as forces.
+    /// Without numbers, for a panel that only shows what has its own scale, such as forces.
     #[must_use]
     pub fn bare(self) -> Self {
         Self { numbers: false, ..self }
     }
 
-    /// Reaching at least these numbers.
+    /// With these numbers inside its range.
     #[must_use]
     pub fn including(mut self, values: &[f64]) -> Self {
         self.include.extend_from_slice(values);
         self
     }
 
-    /// The axis for `data`, from drawing coordinate `start` (its least number) to `end`, with about `count` labels.
+    /// The axis for `data`, with its least number at drawing coordinate `start` and its greatest at `end`, and about `count` labels.
     pub(super) fn resolve(
         &self,
         data: impl Iterator<Item = f64>,
@@ -116,7 +116,7 @@ impl Axis {
         Ok(Resolved { log: self.log, lo, hi, start, end, ticks, factor })
     }
 
-    /// Label and unit, with the power of ten that the numbers along the axis leave out.
+    /// Label and unit, with the power of ten that is left out of the numbers along the axis.
     pub(super) fn heading(&self, factor: i32) -> String {
         if self.label.is_empty() {
             return String::new();
@@ -131,7 +131,7 @@ impl Axis {
     }
 }
 
-/// An axis that knows its numbers and its place on the drawing.
+/// An axis with its range of numbers and its position on the drawing.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Resolved {
     log: bool,
@@ -141,21 +141,21 @@ pub(super) struct Resolved {
     start: f64,
     end: f64,
     pub(super) ticks: Vec<Tick>,
-    /// The labels are to be multiplied by ten to this power.
+    /// Exponent of the power of ten by which the labels have to be multiplied.
     pub(super) factor: i32,
 }
 
 impl Resolved {
-    /// Drawing coordinate of a number.
+    /// The drawing coordinate of a number.
     pub(super) fn place(&self, value: f64) -> f64 {
         let value = if self.log { libm::log10(value) } else { value };
-        // Halves, so that a range of the whole of f64 does not overflow.
+        // Halved, so that the range of all `f64` numbers does not overflow.
         let s = (0.5 * value - 0.5 * self.lo) / (0.5 * self.hi - 0.5 * self.lo);
         self.start + (self.end - self.start) * s
     }
 
-    /// The axis of forces beside an axis of something else: both have their zero at `zero`, and forces from `least` to `most`
-    /// fit between `bottom` and `top`.
+    /// An axis of forces next to an axis of another quantity. Both have their zero at `zero`, and forces from `least` to `most` fit
+    /// between `bottom` and `top`.
     pub(super) fn of_forces(
         axis: &Axis,
         [least, most]: [f64; 2],
@@ -176,30 +176,30 @@ impl Resolved {
     }
 }
 
-/// The axes of a panel in place.
+/// The axes of a panel on the drawing.
 pub(super) struct Axes {
     pub(super) x: Resolved,
     pub(super) y: Resolved,
-    /// On what the length of an arrow is read, if not on `y`.
+    /// The scale for the length of arrows, if it is not `y`.
     pub(super) forces: Option<Resolved>,
 }
 
 impl Axes {
-    /// Where a point in the numbers of the axes lies on the drawing.
+    /// The drawing coordinates of a point in the numbers of the axes.
     pub(super) fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [self.x.place(x), self.y.place(y)]
     }
 
-    /// How far down the drawing the arrow of a force reaches; upwards is negative.
+    /// The vertical extent of the arrow of a force on the drawing; upwards is negative.
     pub(super) fn length(&self, force: f64) -> f64 {
         let axis = self.forces.as_ref().unwrap_or(&self.y);
         axis.place(force) - axis.place(0.0)
     }
 }
 
-/// A range with some room at either end, and never empty: equal numbers get as much room as they are large.
+/// A range with some room at either end, and never empty: equal numbers get half of their magnitude on either side.
 fn widened(lo: f64, hi: f64, padding: f64) -> [f64; 2] {
-    /// Below this part of their magnitude the differences between numbers are rounding, not data.
+    /// Differences between numbers below this share of their magnitude are rounding, not data.
     const ROUNDING: f64 = 1e-12;
     let magnitude = lo.abs().max(hi.abs());
     let room = if ROUNDING * magnitude < hi - lo {
@@ -212,16 +212,16 @@ fn widened(lo: f64, hi: f64, padding: f64) -> [f64; 2] {
     [(lo - room).max(f64::MIN), (hi + room).min(f64::MAX)]
 }
 
-/// A labelled place on an axis.
+/// A labelled position on an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Tick {
     pub(super) value: f64,
     pub(super) label: String,
 }
 
-/// Round numbers in a range, about `count` of them, and the power of ten that their labels leave out.
+/// About `count` round numbers in a range, and the exponent of the power of ten that their labels leave out.
 pub(super) fn linear_ticks(lo: f64, hi: f64, count: f64) -> (Vec<Tick>, i32) {
-    // A quarter more than asked for is better than half of it, which the next larger step might leave.
+    // A quarter more labels than requested is better than half of them, which the next larger step might leave.
     let raw = (0.5 * hi - 0.5 * lo) / (0.625 * count);
     let unit = ten_to(decade(raw));
     let step = [1.0, 2.0, 5.0, 10.0].iter().map(|m| m * unit).find(|&step| raw <= step).unwrap_or(10.0 * unit);
@@ -232,7 +232,7 @@ pub(super) fn linear_ticks(lo: f64, hi: f64, count: f64) -> (Vec<Tick>, i32) {
     let (first, last) = ((lo / step).ceil(), (hi / step).floor());
     let mut ticks = Vec::new();
     let mut i = first;
-    // A range far from zero compared with its width cannot be counted in steps; it gets no labels rather than equal ones.
+    // If the range is narrow compared with its distance from zero, steps cannot be counted. It gets no labels instead of equal ones.
     while i <= last && ticks.len() < 64 {
         let value = i * step;
         ticks.push(Tick { value, label: fixed(value / ten_to(factor), decimals) });
@@ -241,8 +241,7 @@ pub(super) fn linear_ticks(lo: f64, hi: f64, count: f64) -> (Vec<Tick>, i32) {
     (ticks, factor)
 }
 
-/// Decades between two decimal logarithms, so many that there are at most about `count`; where there are few, twice and five
-/// times a decade as well.
+/// Decades between two decimal logarithms, at most about `count` of them. If there are few, twice and five times a decade are added.
 pub(super) fn log_ticks(lo: f64, hi: f64, count: f64) -> Vec<Tick> {
     let inside = |value: &f64| (lo..=hi).contains(&libm::log10(*value));
     let (first, last) = (whole(lo.floor()), whole(hi.ceil()));
@@ -267,7 +266,7 @@ pub(super) fn log_ticks(lo: f64, hi: f64, count: f64) -> Vec<Tick> {
     }
 }
 
-/// The nearest power of ten; those of `f64` end at 308.
+/// The nearest integer exponent; powers of ten in `f64` end at 308.
 #[expect(clippy::cast_possible_truncation, reason = "clamped to what an i32 holds")]
 fn whole(exponent: f64) -> i32 {
     exponent.clamp(-400.0, 400.0) as i32

@@ -1,9 +1,9 @@
-//! The sheet of paper: lines, areas and words in drawing units, drawn by plotters' SVG backend.
+//! The drawing sheet: lines, areas and text in drawing units, drawn by plotters' SVG backend.
 //!
 //! No system font is read, so the size of text is an estimate, on the generous side.
 
 use plotters::backend::{DrawingBackend, SVGBackend};
-/// Where a text lies relative to its point.
+/// Horizontal alignment of a text relative to its point.
 pub(super) use plotters::style::text_anchor::HPos as Align;
 use plotters::style::text_anchor::{Pos, VPos};
 use plotters::style::{Color as _, FontDesc, FontFamily, FontStyle, RGBColor, ShapeStyle, TextStyle};
@@ -13,13 +13,13 @@ use super::{PlotError, finite};
 
 /// Width of the shaft of an arrow.
 pub(super) const SHAFT: u32 = 7;
-/// Size of ordinary text \[drawing units\]: 9 pixels where the drawing is as wide as a telephone, 19 where it is 800 pixels wide.
+/// Size of ordinary text \[drawing units\]: 9 pixels if the drawing is as wide as a telephone, 19 if it is 800 pixels wide.
 pub(super) const TEXT: f64 = 58.0;
 
-/// The backend divides a font size by this before it writes it; we multiply, so that sizes are as we say.
+/// The backend divides a font size by this number before writing it. Multiplying first gives the sizes we set.
 const BACKEND_FONT_FACTOR: f64 = 1.24;
 
-/// How words look.
+/// The appearance of text.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Type {
     pub(super) size: f64,
@@ -33,23 +33,23 @@ impl Type {
     pub(super) const TITLE: Self = Self { size: 66.0, ..Self::BOLD };
 }
 
-/// What is drawn on.
+/// The sheet to draw on.
 pub(super) struct Canvas<'a> {
     backend: SVGBackend<'a>,
 }
 
 impl<'a> Canvas<'a> {
-    /// A sheet without end that writes to `buffer`.
+    /// An unbounded sheet that writes to `buffer`.
     pub(super) fn new(buffer: &'a mut String) -> Self {
         Self { backend: SVGBackend::with_string(buffer, (1, 1)) }
     }
 
-    /// Ends the drawing; without it an error in the last step would be lost.
+    /// Finishes the drawing; without it an error in the last step would be lost.
     pub(super) fn present(mut self) -> Result<(), PlotError> {
         done(self.backend.present())
     }
 
-    /// A line through `points`.
+    /// Draws a line through `points`.
     pub(super) fn line(&mut self, points: &[Point], color: Color, width: u32, dash: Dash) -> Result<(), PlotError> {
         for stroke in dashes(&simplified(points)?, dash.pattern()).iter().filter(|stroke| 1 < stroke.len()) {
             done(self.backend.draw_path(pixels(stroke)?, &ShapeStyle::from(&rgb(color)).stroke_width(width)))?;
@@ -57,7 +57,7 @@ impl<'a> Canvas<'a> {
         Ok(())
     }
 
-    /// Lines of one look.
+    /// Draws several lines with the same appearance.
     pub(super) fn lines(
         &mut self,
         lines: &[impl AsRef<[Point]>],
@@ -68,12 +68,12 @@ impl<'a> Canvas<'a> {
         lines.iter().try_for_each(|line| self.line(line.as_ref(), color, width, dash))
     }
 
-    /// A filled polygon.
+    /// Draws a filled polygon.
     pub(super) fn fill(&mut self, points: &[Point], color: Color, opacity: f64) -> Result<(), PlotError> {
         done(self.backend.fill_polygon(pixels(&simplified(points)?)?, &rgb(color).mix(opacity)))
     }
 
-    /// A filled rectangle between two opposite corners.
+    /// Draws a filled rectangle between two opposite corners.
     pub(super) fn rectangle(
         &mut self,
         [x0, y0]: Point,
@@ -84,7 +84,7 @@ impl<'a> Canvas<'a> {
         self.fill(&[[x0, y0], [x1, y0], [x1, y1], [x0, y1]], color, opacity)
     }
 
-    /// A marker at `at`.
+    /// Draws a marker at `at`.
     pub(super) fn mark(&mut self, at: Point, marker: Marker, color: Color) -> Result<(), PlotError> {
         /// Half the size of a marker.
         const R: f64 = 13.0;
@@ -124,7 +124,7 @@ impl<'a> Canvas<'a> {
         }
     }
 
-    /// A filled circle.
+    /// Draws a filled circle.
     pub(super) fn disc(&mut self, at: Point, radius: f64, color: Color) -> Result<(), PlotError> {
         self.circle(at, radius, ShapeStyle::from(&rgb(color)).filled())
     }
@@ -134,7 +134,7 @@ impl<'a> Canvas<'a> {
         done(self.backend.draw_circle(pixel(at)?, radius, &style, style.filled))
     }
 
-    /// A vertical arrow at `x` from `tail` to `tip`; its head never is longer than the arrow.
+    /// Draws a vertical arrow at `x` from `tail` to `tip`. Its head is never longer than the arrow.
     pub(super) fn arrow(
         &mut self,
         x: f64,
@@ -154,7 +154,7 @@ impl<'a> Canvas<'a> {
         self.fill(&[[x, tip], [x - side, neck], [x + side, neck]], color, 1.0)
     }
 
-    /// Words on one line, centred across it at `at`.
+    /// Draws text on one line, vertically centred at `at`.
     pub(super) fn text(&mut self, text: &str, at: Point, align: Align, kind: Type) -> Result<(), PlotError> {
         if text.is_empty() {
             return Ok(());
@@ -168,10 +168,10 @@ impl<'a> Canvas<'a> {
     }
 }
 
-/// Estimated width of `text`: wide fonts take about 0.6 em for a letter, a little more in bold.
+/// Estimated width of `text`: wide fonts need about 0.6 em per letter, and a little more in bold.
 pub(super) fn text_width(text: &str, kind: Type) -> f64 {
     let em = if kind.bold { 0.66 } else { 0.58 };
-    // Far more characters than fit on the sheet; the bound makes the conversion exact.
+    // The limit is far more characters than fit on the sheet, and makes the conversion exact.
     f64::from(u16::try_from(text.chars().count()).unwrap_or(u16::MAX)) * em * kind.size
 }
 
@@ -190,7 +190,7 @@ pub(super) fn wrapped(text: &str, width: f64, kind: Type) -> Vec<String> {
     lines
 }
 
-/// What the backend says, as an error of ours.
+/// Converts an error of the backend.
 fn done<E: std::error::Error>(drawn: Result<(), E>) -> Result<(), PlotError> {
     drawn.map_err(|error| PlotError::Backend(error.to_string()))
 }
@@ -199,7 +199,7 @@ fn rgb(Color(red, green, blue): Color) -> RGBColor {
     RGBColor(red, green, blue)
 }
 
-/// The nearest whole drawing units; a place off the sheet stays off it, without overflow.
+/// The nearest integer drawing units. A position off the sheet stays off it, without overflow.
 #[expect(clippy::cast_possible_truncation, reason = "the value is finite and clamped to what an i32 holds")]
 fn pixel([x, y]: Point) -> Result<(i32, i32), PlotError> {
     let whole = |value: f64| -> Result<i32, PlotError> {
@@ -212,14 +212,13 @@ fn pixels(points: &[Point]) -> Result<Vec<(i32, i32)>, PlotError> {
     points.iter().map(|&point| pixel(point)).collect()
 }
 
-/// A place on the drawing, `[right, down]`.
+/// A position on the drawing, `[right, down]`.
 pub(super) type Point = [f64; 2];
 
-/// How far a line may pass beside a point that is left out \[drawing units\].
+/// Largest distance between a line and a point that is left out \[drawing units\].
 const BESIDE: f64 = 0.6;
 
-/// The line through fewer of its points, none of the others farther from it than [`BESIDE`]
-/// (Douglas and Peucker 1973).
+/// The line through fewer of its points, so that none of the others is farther from it than [`BESIDE`] (Douglas and Peucker 1973).
 pub(super) fn simplified(line: &[Point]) -> Result<Vec<Point>, PlotError> {
     for &[x, y] in line {
         finite("a place on the drawing", x)?;

@@ -1,4 +1,4 @@
-//! A beam in its final position as curves and forces: what a figure of it needs, wherever it comes from.
+//! A beam in its final position as curves and forces: the data of a figure, from any source.
 
 use super::layer::Place;
 use super::{PlotError, SAMPLES, same_length};
@@ -9,20 +9,20 @@ use crate::theory::Exact;
 /// A concentrated contact force, upwards.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PointForce {
-    /// Where it acts \[length\].
+    /// The position \[length\].
     pub at: f64,
-    /// Its value \[force\].
+    /// The force \[force\].
     pub force: f64,
 }
 
-/// The beam in its final position. Curves are joined linearly; a jump is two values at the same place.
+/// The beam in its final position. Points of curves are joined linearly; a jump is two values at the same position.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curves {
-    /// Places of the lists below, from end to end of the beam \[length\].
+    /// Positions for the lists below, from end to end of the beam \[length\].
     pub x: Vec<f64>,
     /// `v`, positive downwards \[length\].
     pub deflection: Vec<f64>,
-    /// The own shape `w0`, positive downwards; empty for a straight beam \[length\].
+    /// The initial shape `w0`, positive downwards; empty for a straight beam \[length\].
     pub shape: Vec<f64>,
     /// `h = u − w0 − v` \[length\]; infinite where there is no foundation.
     pub clearance: Vec<f64>,
@@ -30,41 +30,41 @@ pub struct Curves {
     pub moment: Vec<f64>,
     /// `[x, V]` with `V = M'` \[force\].
     pub shear: Vec<Place>,
-    /// `[x, p]`, one list for each stretch of distributed contact pressure \[force / length\].
+    /// `[x, p]`, one list for each interval of distributed contact pressure \[force / length\].
     pub pressure: Vec<Vec<Place>>,
     /// Concentrated contact forces.
     pub point_forces: Vec<PointForce>,
-    /// Where the beam touches, from and to \[length\].
+    /// The intervals in which the beam touches the foundation \[length\].
     pub contacts: Vec<[f64; 2]>,
-    /// Forces of the supports.
+    /// The reactions.
     pub supports: Vec<SupportForce>,
     /// Extremes of the deflection, to be labelled.
     pub deflection_extremes: Extremes,
-    /// Extremes of the clearance, to be labelled: of the whole beam, and between its outermost contacts.
+    /// Extremes of the clearance, to be labelled: over the whole beam, and between its outermost contacts.
     pub clearance_extremes: [Extremes; 2],
     /// Extremes of the moment, to be labelled.
     pub moment_extremes: Extremes,
 }
 
-/// Contacts with at most so many nodes are drawn force by force; longer ones by their resultants.
+/// Contacts with at most this many nodes are drawn force by force; longer ones by their resultants.
 const SINGLE_FORCES: usize = 5;
 
 /// At each end of a contact this many nodal forces are drawn as one.
 ///
-/// A concentrated force at a lift-off point between two nodes is shared by these two; none of the two shares converges
-/// when the grid is refined, their sum does.
+/// A concentrated force at a lift-off position between two nodes is split between these nodes. When the grid is refined, the two
+/// parts do not converge, but their sum does.
 const END_NODES: usize = 2;
 
-/// A nodal force inside a contact that exceeds its neighbours' by this factor is a concentrated force (at a kink of the
-/// foundation, say) and no pressure.
+/// A nodal force inside a contact that exceeds the median of its neighbours by this factor is drawn as a concentrated force (at a
+/// kink of the foundation, for example) and not as pressure.
 const PEAK: f64 = 3.0;
 
 impl Curves {
     /// The curves of a discretised state.
     ///
-    /// Shear is constant between the nodes, as the discretisation has it. Contact forces are drawn as pressure, force
-    /// per interval, only inside a contact of many nodes; at its ends the outermost nodal forces are drawn as their
-    /// resultant, and in a short contact each nodal force by itself. Together they are the whole contact force.
+    /// The shear force is constant between the nodes, as in the discretisation. In a contact of many nodes the inner contact forces
+    /// are drawn as pressure, force per interval, and the outermost nodal forces at each end as their resultant. In a short contact
+    /// each nodal force is drawn separately. Together they are the total contact force.
     ///
     /// # Errors
     ///
@@ -76,7 +76,7 @@ impl Curves {
         same_length("the contact forces", &nodes.contact_force, &nodes.x)?;
         same_length("the moments", &nodes.moment, &nodes.x)?;
         let length = scene.beam().length();
-        // A supported end of the beam is no node; a free one is.
+        // A supported end of the beam is not a node of the grid; a free end is.
         let held = scene.held();
         #[expect(clippy::float_cmp, reason = "a support at an end is exactly there")]
         let [left, right] = [0.0, length].map(|end| {
@@ -125,14 +125,14 @@ impl Curves {
 }
 
 impl Curves {
-    /// The axis of the beam, `w0 + v`, at the places `x`.
+    /// The axis of the beam, `w0 + v`, at the positions `x`.
     pub(super) fn axis(&self) -> Vec<Place> {
         let shape = self.shape.iter().copied().chain(std::iter::repeat(0.0));
         self.x.iter().zip(&self.deflection).zip(shape).map(|((&x, v), w0)| [x, w0 + v]).collect()
     }
 }
 
-/// From the outermost contact at the left to that at the right; no stretch where there is none.
+/// The interval from the leftmost to the rightmost contact; empty if there are fewer than two.
 fn between_contacts(state: &ContactState) -> [f64; 2] {
     match &state.contacts[..] {
         [first, .., last] => [first.from, last.to],
@@ -140,7 +140,7 @@ fn between_contacts(state: &ContactState) -> [f64; 2] {
     }
 }
 
-/// The clearance above the ground, also at supports that only push, which are drawn as supports.
+/// The clearance above the foundation, also at compression-only supports, which are drawn as supports.
 fn above_ground(scene: &Scene, x: &[f64], deflection: &[f64], mut clearance: Vec<f64>) -> Vec<f64> {
     for support in scene.beam().bearings() {
         let own = scene.beam().shape().map_or(0.0, |shape| shape.depth(support.at));
@@ -151,20 +151,19 @@ fn above_ground(scene: &Scene, x: &[f64], deflection: &[f64], mut clearance: Vec
     clearance
 }
 
-/// `w0` at the places `x`; nothing for a straight beam.
+/// `w0` at the positions `x`; empty for a straight beam.
 fn own_shape(scene: &Scene, x: &[f64]) -> Vec<f64> {
     scene.beam().shape().map_or(Vec::new(), |shape| x.iter().map(|&x| shape.depth(x)).collect())
 }
 
-/// Pressures and concentrated forces of all contacts; `x` has a place more than
-/// the nodes at each end.
+/// Pressures and concentrated forces of all contacts. `x` has one more position than the nodes at each end.
 fn contact_forces(state: &ContactState, nodes: &Nodes, x: &[f64]) -> (Vec<Vec<Place>>, Vec<PointForce>) {
     let mut pressure = Vec::new();
     let mut forces = Vec::new();
     for run in runs(state, nodes) {
         let f = |i: usize| nodes.contact_force[i];
         let single = |i: usize| PointForce { at: nodes.x[i], force: f(i) };
-        // Ground that gives takes no concentrated force.
+        // An elastic foundation exerts no concentrated force.
         if state.pressure.is_some() {
             pressure.push(run.flat_map(|i| steps(nodes, x, i)).collect());
             continue;
@@ -194,14 +193,14 @@ fn contact_forces(state: &ContactState, nodes: &Nodes, x: &[f64]) -> (Vec<Vec<Pl
     (pressure, forces)
 }
 
-/// The pressure of node `i`, whose force belongs to half an interval on either side.
+/// The pressure of node `i`, whose force is spread over half an interval on either side.
 fn steps(nodes: &Nodes, x: &[f64], i: usize) -> [Place; 2] {
-    // Node i of the interior is node i + 1 with the support.
+    // Node `i` of the interior is node `i + 1` of `x`, which begins with the support.
     let (left, right) = (0.5 * (x[i] + x[i + 1]), 0.5 * (x[i + 1] + x[i + 2]));
     [left, right].map(|x| [x, nodes.contact_force[i] / (right - left)])
 }
 
-/// Contacts as ranges of nodes; two contacts with no more than one open node between them count as one.
+/// Contacts as ranges of nodes; two contacts with at most one open node between them count as one.
 fn runs(state: &ContactState, nodes: &Nodes) -> Vec<std::ops::Range<usize>> {
     let mut runs: Vec<std::ops::Range<usize>> = Vec::new();
     for contact in &state.contacts {
@@ -225,7 +224,7 @@ fn resultant(nodes: &Nodes, range: std::ops::Range<usize>) -> PointForce {
 }
 
 impl Curves {
-    /// The exact solution of a scene as a figure needs it.
+    /// The curves of the exact solution of a scene.
     #[must_use]
     pub fn exact(scene: &Scene, exact: &Exact) -> Self {
         let samples = exact.samples(scene, SAMPLES);
@@ -234,7 +233,7 @@ impl Curves {
         let pressure = zones
             .map(|zone| {
                 let within = samples.iter().filter(|s| zone.from <= s.x && s.x <= zone.to);
-                // At its ends the samples outside of the zone are those without pressure.
+                // At its ends, the samples that belong outside the zone are those without pressure.
                 let outside = |x: f64, pressure: f64| pressure == 0.0 && (x <= zone.from || zone.to <= x);
                 within.filter(|s| !outside(s.x, s.pressure)).map(|s| [s.x, s.pressure]).collect()
             })
@@ -263,13 +262,13 @@ impl Curves {
     }
 }
 
-/// Concentrated contact forces: point contacts, the ends of zones, and point loads that a zone carries.
+/// Concentrated contact forces: at point contacts, at the ends of zones, and from point loads that a zone carries.
 fn point_forces(exact: &Exact) -> Vec<PointForce> {
     let mut forces = Vec::new();
     for contact in &exact.state.contacts {
         match contact.end_forces {
             Some([from, to]) => forces.extend([(contact.from, from), (contact.to, to)]),
-            // Ground that gives takes no concentrated force.
+            // An elastic foundation exerts no concentrated force.
             None if exact.state.pressure.is_some() => {}
             None => forces.push((contact.from, contact.force)),
         }
@@ -290,10 +289,10 @@ mod tests {
     use crate::state::{Contact, ContactState, Extremes, Nodes, Reactions, Regime};
     use crate::theory;
 
-    /// Place and value of each concentrated force.
+    /// Position and value of each concentrated force.
     type Forces = Vec<(f64, f64)>;
 
-    /// A state on unit intervals whose nodes carry `forces`, with the given contacts.
+    /// Concentrated forces and pressures of a state on unit intervals with nodal `forces` and the given contacts.
     fn forces_of(forces: &[f64], contacts: &[[f64; 2]]) -> (Forces, Vec<Vec<[f64; 2]>>) {
         let x: Vec<f64> = (1_u32..).take(forces.len()).map(f64::from).collect();
         let nodes = Nodes { x: x.clone(), contact_force: forces.to_vec(), ..Nodes::default() };
@@ -325,7 +324,7 @@ mod tests {
 
     #[test]
     fn a_long_contact_keeps_its_resultant() {
-        // One open node behind the left end does not part the contact.
+        // One open node after the left end does not divide the contact.
         let nodal = [0.0, 3.0, 1.0, 0.0, 1.0, 1.0, 1.0, 1.5, 1.0, 3.0, 0.0];
         let (forces, pressure) = forces_of(&nodal, &[[2.0, 3.0], [5.0, 10.0]]);
         assert_eq!(forces, [(2.25, 4.0), (9.75, 4.0)]);
@@ -345,7 +344,7 @@ mod tests {
     /// Rounding of some hundred sums.
     const ROUNDING: f64 = 1e-9;
 
-    /// A beam with `EI = 1`, `q₀ = 24`, `u₀ = 1`, so that `a = 1`, `T = 12`; and a load on it where it touches.
+    /// A beam with `EI = 1`, `q₀ = 24`, `u₀ = 1`, so that `a = 1`, `T = 12`, and a load on it where it touches.
     #[test]
     fn the_exact_solution_keeps_its_equilibrium() {
         let (l, q, t, force) = (4.0, 24.0, 12.0, 3.0);

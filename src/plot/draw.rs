@@ -1,4 +1,4 @@
-//! From a layer to lines on the drawing; a load is a block for what is distributed, and arrows for point loads.
+//! Draws layers as lines on the sheet: a distributed load as a block, point loads as arrows.
 
 use super::axis::Axes;
 use super::canvas::{Align, Canvas, Point, SHAFT, TEXT, Type, text_width};
@@ -8,7 +8,7 @@ use super::marks::{arc, support};
 use super::palette::{Color, Dash, Style};
 use super::{PlotError, count, finite};
 
-/// Draws `layer`, and asks for the labels that it wants.
+/// Draws `layer` and requests its labels.
 pub(super) fn draw(
     canvas: &mut Canvas,
     layer: &Layer,
@@ -51,7 +51,7 @@ pub(super) fn draw(
     }
 }
 
-/// What a label had better not cover of a support: a rectangle below its place.
+/// The outline that labels should not cover at a support: a rectangle below its position.
 fn symbol([x, y]: Point) -> Vec<Point> {
     let [left, right, top, bottom] = [x - 30.0, x + 30.0, y + 4.0, y + 52.0];
     sampled(&[[left, top], [right, top], [right, bottom], [left, bottom], [left, top]], INK)
@@ -109,7 +109,7 @@ fn arrows(canvas: &mut Canvas, layer: &Arrows, axes: &Axes, labels: &mut Labels)
     Ok(())
 }
 
-/// A cell of a map, with white between it and the next ones.
+/// A cell of a map, with white space between it and its neighbours.
 fn cell(canvas: &mut Canvas, cell: &Cell, axes: &Axes) -> Result<(), PlotError> {
     const GAP: f64 = 4.0;
     let [x, y] = cell.at;
@@ -118,7 +118,7 @@ fn cell(canvas: &mut Canvas, cell: &Cell, axes: &Axes) -> Result<(), PlotError> 
     canvas.text(&cell.text, axes.place(cell.at), Align::Center, Type::BOLD)
 }
 
-/// A line, and a light colour between it and the level `base`.
+/// A line, and a light area between it and the level `base`.
 fn area(canvas: &mut Canvas, line: &[Point], base: f64, color: Color, labels: &mut Labels) -> Result<(), PlotError> {
     if line.is_empty() {
         return Ok(());
@@ -129,7 +129,7 @@ fn area(canvas: &mut Canvas, line: &[Point], base: f64, color: Color, labels: &m
     Ok(())
 }
 
-/// Two lines, and a light colour between them.
+/// Two lines, and a light area between them.
 fn band(canvas: &mut Canvas, from: &[Point], to: &[Point], color: Color, labels: &mut Labels) -> Result<(), PlotError> {
     let outline: Vec<Point> = from.iter().chain(to.iter().rev()).copied().collect();
     canvas.fill(&outline, color, 0.25)?;
@@ -137,7 +137,7 @@ fn band(canvas: &mut Canvas, from: &[Point], to: &[Point], color: Color, labels:
     canvas.lines(&[from, to], color, 6, Dash::Solid)
 }
 
-/// Dotted lines down the frame. Their labels stand a little apart in rows at the top, each with a stroke to its line.
+/// Dotted vertical lines. Their labels are placed slightly apart in rows at the top, each with a stroke to its line.
 fn divisions(
     canvas: &mut Canvas,
     all: &Divisions,
@@ -158,7 +158,7 @@ fn divisions(
     let widest = named.iter().fold(0.0_f64, |most, line| most.max(text_width(line.1, Type::PLAIN)));
     let kind = Type { color: Color::GRAY, ..Type::PLAIN };
     let wanted: Vec<f64> = named.iter().map(|line| line.0).collect();
-    // The labels of a row have the strokes of the others between them.
+    // The strokes of the other rows pass between the labels of a row.
     let distance = (widest + 0.5 * TEXT) / count(rows.max(1));
     let places = apart(&wanted, [frame.left, frame.right], distance);
     for (i, ((x, text), at)) in named.iter().zip(places).enumerate() {
@@ -181,12 +181,12 @@ fn divisions(
     Ok(())
 }
 
-/// The outline of what is between a line and the level `base`.
+/// The outline of the area between a line and the level `base`.
 fn closed(line: &[Point], base: f64) -> Vec<Point> {
     line.iter().copied().chain(line.last().map(|p| [p[0], base])).chain(line.first().map(|p| [p[0], base])).collect()
 }
 
-/// Ground below a line, with short strokes along it as on a drawing board.
+/// The foundation below a line, hatched along the line as in engineering drawings.
 fn foundation(canvas: &mut Canvas, line: &[Point], frame: &Frame, labels: &mut Labels) -> Result<(), PlotError> {
     let Some(first) = line.first() else { return Ok(()) };
     canvas.fill(&closed(line, frame.bottom), Color::GROUND, 1.0)?;
@@ -210,7 +210,7 @@ fn foundation(canvas: &mut Canvas, line: &[Point], frame: &Frame, labels: &mut L
 }
 
 fn distributed(canvas: &mut Canvas, sketch: &LoadSketch, axes: &Axes, labels: &mut Labels) -> Result<(), PlotError> {
-    /// Height of the greatest intensity, distance from the beam, distance of the arrows.
+    /// Height of the greatest intensity, distance from the beam, and spacing of the arrows.
     const BLOCK: f64 = 90.0;
     const CLEAR: f64 = 16.0;
     const APART: f64 = 80.0;
@@ -223,7 +223,7 @@ fn distributed(canvas: &mut Canvas, sketch: &LoadSketch, axes: &Axes, labels: &m
     let largest = most.max(-least);
     let beam = axes.y.place(sketch.level);
     if 0.0 < largest {
-        // A load that acts upwards hangs below the base line, which makes room for it.
+        // A load that acts upwards is drawn below the base line, which is raised to make room for it.
         let base = beam - CLEAR - BLOCK * (-least / largest);
         let edge = |[x, q]: Place| [axes.x.place(x), base - BLOCK * (q / largest)];
         let outline: Vec<Point> = sketch.intensity.iter().map(|&p| edge(p)).collect();
@@ -253,7 +253,7 @@ fn distributed(canvas: &mut Canvas, sketch: &LoadSketch, axes: &Axes, labels: &m
 }
 
 fn point_loads(canvas: &mut Canvas, sketch: &LoadSketch, axes: &Axes, labels: &mut Labels) -> Result<(), PlotError> {
-    /// Length of the greatest point load, and of the shortest arrow.
+    /// Length of the greatest point load and of the shortest arrow.
     const POINT: f64 = 170.0;
     const SHORTEST: f64 = 60.0;
     let beam = axes.y.place(sketch.level);
@@ -273,9 +273,9 @@ fn point_loads(canvas: &mut Canvas, sketch: &LoadSketch, axes: &Axes, labels: &m
     Ok(())
 }
 
-/// Couples as arcs around their places on the beam, each with a head.
+/// Couples as arcs around their positions on the beam, each with an arrow head.
 fn couples(canvas: &mut Canvas, sketch: &LoadSketch, axes: &Axes, labels: &mut Labels) -> Result<(), PlotError> {
-    /// Radius of an arc, and how far around it goes from below, in quarters.
+    /// Radius of an arc, and its start and end in quarters of a turn.
     const RADIUS: f64 = 46.0;
     const QUARTERS: [f64; 2] = [1.4, 4.1];
     const HEAD: f64 = 18.0;

@@ -1,4 +1,4 @@
-//! The envelope of a sweep as a figure: the largest and the least moment and shear force along the beam.
+//! Figure of the envelope of a sweep: the greatest and least moment and shear force along the beam.
 
 use super::PlotError;
 use super::axis::Axis;
@@ -11,10 +11,10 @@ use crate::scene::Scene;
 use crate::sweep::Envelope;
 use crate::text::significant;
 
-/// Digits of a number in words.
+/// Digits of a number in the title.
 const DIGITS: usize = 5;
 
-/// Moments, downwards on the side in tension, and shear forces over the place; `vary` says what was varied.
+/// Draws moments, downwards on the side in tension, and shear forces along the beam; `vary` names the varied number.
 ///
 /// # Errors
 ///

@@ -1,5 +1,6 @@
-//! A figure: a title, a description for those who cannot see it, and panels; and the SVG document that it becomes, with a nominal
-//! size, colours for dark surroundings, and few words for each element.
+//! Figures: a title, a description for readers who cannot see the image, and panels, written as an SVG document.
+//!
+//! The document has a nominal size, colours for dark surroundings, and compact markup.
 
 use std::fmt::Write as _;
 
@@ -13,17 +14,17 @@ use super::{PlotError, count};
 pub struct Figure {
     /// The title, printed above the panels.
     pub title: String,
-    /// What the figure shows, in words: it becomes the description of the image.
+    /// The content of the figure in words, which becomes the description of the image.
     pub description: String,
     /// The panels, at least one.
     pub panels: Vec<Panel>,
-    /// How many of them stand side by side, at least one.
+    /// Number of panels side by side, at least one.
     pub columns: usize,
-    /// Notes below the panels, each on lines of its own.
+    /// Notes below the panels, each starting on a new line.
     pub notes: Vec<String>,
 }
 
-/// Around the figure \[drawing units\].
+/// Margin around the figure \[drawing units\].
 const MARGIN: f64 = 40.0;
 
 impl Figure {
@@ -38,7 +39,7 @@ impl Figure {
         Self { notes, ..self }
     }
 
-    /// The figure as an SVG document, the same to the byte for the same data.
+    /// The figure as an SVG document; the same data give the same bytes.
     ///
     /// # Errors
     ///
@@ -54,7 +55,7 @@ impl Figure {
         let mut groups = vec![group("class=\"title\"", |canvas| title.draw(canvas))?];
         for row in &rows {
             let in_columns = row.iter().enumerate().map(|(column, layout)| {
-                // Frames that stand one below the other have the same sides.
+                // Frames one below the other have the same left and right edges.
                 let same = rows.iter().filter(|other| other.len() == row.len()).map(|other| other[column].margins);
                 layout.with_margins(same.fold([0.0; 2], |most, next| [most[0].max(next[0]), most[1].max(next[1])]))
             });
@@ -75,7 +76,7 @@ impl Figure {
         Ok(document(&self.title, &self.description, whole(bottom), &groups.concat()))
     }
 
-    /// The panels row by row; each takes an equal part of its row.
+    /// The panels row by row; all panels of a row have the same width.
     fn rows(&self) -> Result<Vec<Vec<Layout<'_>>>, PlotError> {
         let mut rows: Vec<Vec<&Panel>> = Vec::new();
         for panel in &self.panels {
@@ -91,7 +92,7 @@ impl Figure {
     }
 }
 
-/// Lines of words, each with its place, and where the last one ends.
+/// Lines of text with their positions, and the bottom of the last line.
 struct Words {
     kind: Type,
     lines: Vec<(String, Point)>,
@@ -109,12 +110,12 @@ impl Words {
         Self { kind: Type::TITLE, lines, bottom }
     }
 
-    /// Notes in one column, or in two where there are many.
+    /// Notes in one column, or in two if there are many.
     fn notes(notes: &[String], top: f64) -> Vec<Self> {
-        /// More notes than this stand in two columns.
+        /// Largest number of notes in one column.
         const ONE_COLUMN: usize = 8;
         const LINE: f64 = 1.3 * TEXT;
-        /// Of all lines of a note but the first.
+        /// Indentation of all lines of a note except the first.
         const INDENT: f64 = 2.0 * TEXT;
         let columns = if notes.len() <= ONE_COLUMN { 1 } else { 2 };
         let width = (f64::from(WIDTH) - MARGIN) / count(columns);
@@ -144,28 +145,28 @@ fn whole(height: f64) -> u32 {
     height.ceil().clamp(1.0, 1e6) as u32
 }
 
-/// Width of every drawing \[drawing units\]; places are whole units, so there are many.
+/// Width of every drawing \[drawing units\]. Positions are whole units, so the number is large.
 const WIDTH: u32 = 2400;
 
-/// Drawing units for one pixel of the nominal size.
+/// Drawing units per pixel of the nominal size.
 const UNITS_PER_PIXEL: u32 = 3;
 
-/// What `draw` draws as a group with an attribute: `data-panel` is the part of the sheet that a panel takes, for those who want
-/// to place panels anew.
+/// The output of `draw` as a group with an attribute. `data-panel` gives the part of the sheet that a panel occupies, so that panels
+/// can be rearranged.
 fn group(attribute: &str, draw: impl FnOnce(&mut Canvas) -> Result<(), PlotError>) -> Result<String, PlotError> {
     let mut drawn = String::new();
     let mut canvas = Canvas::new(&mut drawn);
     draw(&mut canvas)?;
     canvas.present()?;
-    // The backend opens and closes a document of its own, on its first and its last line.
+    // The backend opens and closes its own document on its first and last line.
     let body = drawn.split_once('\n').map_or("", |(_, body)| body);
     let body = body.rsplit_once("</svg>").map_or(body, |(body, _)| body);
     Ok(format!("<g {attribute}>\n{}</g>\n", compact(body)))
 }
 
-/// Groups on a white sheet of `height` as a document that stands alone.
+/// Groups on a white sheet of `height` as a complete document.
 fn document(title: &str, description: &str, height: u32, groups: &str) -> String {
-    // Whole pixels, or the last row of them would be half empty.
+    // Whole pixels; otherwise the last row of pixels would be half empty.
     let height = height.div_ceil(UNITS_PER_PIXEL) * UNITS_PER_PIXEL;
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"0 0 {WIDTH} {height}\" \
@@ -183,12 +184,12 @@ fn document(title: &str, description: &str, height: u32, groups: &str) -> String
     )
 }
 
-/// The elements of plotters' backend, one a line, without what is the default, and lines of one look that follow each other as
-/// one path.
+/// The elements of plotters' backend, one per line, without default attributes. Consecutive lines with the same appearance become one
+/// path.
 fn compact(body: &str) -> String {
     const POINTS: &str = " points=\"";
     let font_size = format!(" font-size=\"{TEXT}\"");
-    // In texts quotes are escaped, so that nothing of them looks like an attribute.
+    // Quotes in texts are escaped, so no text looks like an attribute.
     let defaults =
         [" opacity=\"1\"", " stroke=\"none\"", " font-family=\"sans-serif\"", " text-anchor=\"start\"", &font_size];
     let mut out = String::new();
@@ -207,7 +208,7 @@ fn compact(body: &str) -> String {
         }
         close(&mut out, &mut open);
         out.push_str(&line);
-        // A text stands on a line between its tags.
+        // A text is on a line of its own between its tags.
         if line.starts_with("</text") || line.ends_with("/>") {
             out.push('\n');
         }
@@ -216,14 +217,14 @@ fn compact(body: &str) -> String {
     out
 }
 
-/// Ends a path, if one is open.
+/// Ends a path if one is open.
 fn close(out: &mut String, open: &mut Option<String>) {
     if open.take().is_some() {
         out.push_str("\"/>\n");
     }
 }
 
-/// `text` as XML character data. Control characters, which XML cannot hold at all, become spaces.
+/// `text` as XML character data. Control characters, which XML does not allow at all, become spaces.
 fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {

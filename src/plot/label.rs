@@ -1,24 +1,24 @@
-//! Where labels go: near their point, inside the panel, off each other and off the lines.
+//! Placement of labels: near their point, inside the panel, not on top of each other and not on lines.
 
 use super::canvas::{Align, Canvas, Point, TEXT, Type, text_width};
 use super::palette::{Color, Dash};
 use super::{PlotError, count};
 
-/// A label that asks for a place.
+/// A label to be placed.
 #[derive(Debug, Clone)]
 pub(super) struct Label {
     pub(super) text: String,
-    /// The point that it belongs to, on the drawing.
+    /// Its point on the drawing.
     pub(super) at: Point,
     pub(super) color: Color,
-    /// Left out rather than printed over another label.
+    /// Whether it is left out instead of being printed over another label.
     pub(super) optional: bool,
-    /// Preferred below its point rather than above.
+    /// Whether it is placed below its point if possible, and not above.
     pub(super) below: bool,
 }
 
 impl Label {
-    /// A label that must be written, preferred above its point.
+    /// A label that must be written, above its point if possible.
     pub(super) fn new(text: &str, at: Point, color: Color) -> Self {
         Self { text: text.to_owned(), at, color, optional: false, below: false }
     }
@@ -31,7 +31,7 @@ pub(super) struct Frame {
     pub(super) top: f64,
     pub(super) right: f64,
     pub(super) bottom: f64,
-    /// Right side of what belongs to the frame: names of lines may stand up to here.
+    /// Right edge of the area that belongs to the frame: names of lines may extend to here.
     pub(super) outer: f64,
 }
 
@@ -40,12 +40,12 @@ impl Frame {
         self.left < other.right && other.left < self.right && self.top < other.bottom && other.top < self.bottom
     }
 
-    /// Whether a line that ends at `x` ends at the right side, but for the room that an axis leaves there.
+    /// Whether a line that ends at `x` ends near the right edge, allowing for the room that an axis leaves there.
     pub(super) fn ends_at(&self, x: f64) -> bool {
         self.right - 0.15 * (self.right - self.left) < x
     }
 
-    /// Whether a line that ends at `x` is named beside the frame, where there is room for its name.
+    /// Whether the name of a line that ends at `x` is written beside the frame, because there is room for it.
     pub(super) fn names_beside(&self, x: f64, name: &str) -> bool {
         self.ends_at(x) && self.right + BESIDE + text_width(name, Type::PLAIN) <= self.outer
     }
@@ -54,7 +54,7 @@ impl Frame {
         (self.left..=self.right).contains(&x) && (self.top..=self.bottom).contains(&y)
     }
 
-    /// Whether a point lies inside and not along a side: there a line or a marker is left whole.
+    /// Whether a point is inside and not along an edge, where a line or a marker stays visible.
     fn covers(&self, [x, y]: Point) -> bool {
         /// Half the width of a line.
         const ALONG: f64 = 3.0;
@@ -62,25 +62,25 @@ impl Frame {
     }
 }
 
-/// What the labels of one panel must share.
+/// The labels of one panel and everything that they must not cover.
 #[derive(Debug, Default)]
 pub(super) struct Labels {
     wanted: Vec<Label>,
-    /// Names of lines that end at the right side of the frame: they stand beside it.
+    /// Names of lines that end at the right edge of the frame; they are written beside it.
     names: Vec<Label>,
-    /// Points of lines, which a label had better not cover.
+    /// Points of lines, which labels should not cover.
     ink: Vec<Point>,
-    /// Texts that are written where they are.
+    /// Texts whose position is fixed.
     written: Vec<Frame>,
 }
 
-/// Distance of the points that stand for a line when labels are placed.
+/// Spacing of the points that represent a line when labels are placed.
 pub(super) const INK: f64 = 9.0;
 
-/// Distances between a point and its label, the nearest first.
+/// Distances between a point and its label, in the order in which they are tried.
 const RINGS: [f64; 6] = [12.0, 30.0, 60.0, 100.0, 150.0, 210.0];
 
-/// Distance of a name from the right side of the frame.
+/// Distance of a name from the right edge of the frame.
 pub(super) const BESIDE: f64 = 44.0;
 
 /// A label farther from its point than this gets a line to it.
@@ -93,14 +93,14 @@ impl Labels {
         }
     }
 
-    /// The name of a line that ends at the right side of the frame.
+    /// Adds the name of a line that ends at the right edge of the frame.
     pub(super) fn name(&mut self, label: Label) {
         if !label.text.is_empty() {
             self.names.push(label);
         }
     }
 
-    /// A text that is written between two corners.
+    /// Reserves the area of a text between two corners.
     pub(super) fn leave(&mut self, [left, top]: Point, [right, bottom]: Point) {
         self.written.push(Frame { left, top, right, bottom, outer: right });
     }
@@ -109,7 +109,7 @@ impl Labels {
         self.ink.extend(points);
     }
 
-    /// Writes the labels, first come first served, those that must be written before those that may be left out.
+    /// Writes the labels in the order in which they were requested, required labels before optional ones.
     pub(super) fn write(mut self, canvas: &mut Canvas, bounds: &Frame) -> Result<(), PlotError> {
         self.names.sort_by(|a, b| a.at[1].total_cmp(&b.at[1]));
         let heights: Vec<f64> = self.names.iter().map(|name| name.at[1]).collect();
@@ -142,13 +142,13 @@ impl Labels {
         Ok(())
     }
 
-    /// The place around the label's point that covers least.
+    /// The position around the label's point that covers least.
     fn place(&self, label: &Label, bounds: &Frame, taken: &[Frame]) -> Frame {
-        /// Covering a label is worse than covering any number of points of lines.
+        /// Covering a label costs more than covering any number of points of lines.
         const COVERED_LABEL: f64 = 1e4;
         let kind = Type::PLAIN;
         let (width, height) = (text_width(&label.text, kind) + 14.0, 1.2 * kind.size);
-        /// Between the left side of the frame, which is an axis, and a label.
+        /// Distance between the left edge of the frame, which is an axis, and a label.
         const INSET: f64 = 12.0;
         let near: Vec<Point> = self
             .ink
@@ -158,7 +158,7 @@ impl Labels {
             .collect();
         let down = if label.below { 1.0 } else { -1.0 };
         let mut best: Option<(f64, Frame)> = None;
-        // A label that may be left out stays close to its point; the others may move away and get a line to it.
+        // An optional label stays close to its point; the others may move away and get a line to it.
         let rings = if label.optional { 2 } else { RINGS.len() };
         let both = (0..rings).flat_map(|across| (0..rings).map(move |along| [across, along]));
         for [across, along] in both {
@@ -197,10 +197,11 @@ impl Labels {
     }
 }
 
-/// Places near those wanted, in their order, at least `distance` apart and, as far as there is room, between two ends.
+/// Positions close to the wanted ones, in their order, at least `distance` apart and, if there is room, between two ends.
 pub(super) fn apart(wanted: &[f64], [low, high]: [f64; 2], distance: f64) -> Vec<f64> {
     let mut places: Vec<f64> = Vec::new();
-    // Labels that would meet share the middle of what they want: groups of equal distance, merged until none meet.
+    // Labels that would overlap form a group centred on the mean of their wanted positions, with equal spacing. Groups are merged
+    // until none overlap.
     let mut groups: Vec<(f64, usize)> = Vec::new();
     let inside = |middle: f64, n: usize| {
         let half = 0.5 * distance * count(n);
@@ -224,7 +225,7 @@ pub(super) fn apart(wanted: &[f64], [low, high]: [f64; 2], distance: f64) -> Vec
     places
 }
 
-/// Points along a line, at most `step` apart: what a label should not cover.
+/// Points along a line, at most `step` apart, which labels should not cover.
 pub(super) fn sampled(line: &[Point], step: f64) -> Vec<Point> {
     let mut points: Vec<Point> = line.first().copied().into_iter().collect();
     for pair in line.windows(2) {
@@ -240,7 +241,7 @@ pub(super) fn sampled(line: &[Point], step: f64) -> Vec<Point> {
     points
 }
 
-/// `value` between `lo` and `hi`; in the middle if there is nothing between them.
+/// `value` limited to the range from `lo` to `hi`; the middle if the range is empty.
 fn clamped(value: f64, lo: f64, hi: f64) -> f64 {
     if lo <= hi { value.clamp(lo, hi) } else { 0.5 * (lo + hi) }
 }
@@ -249,7 +250,7 @@ fn clamped(value: f64, lo: f64, hi: f64) -> f64 {
 mod tests {
     use super::{Color, Frame, Label, Labels, apart};
 
-    /// A label stays in its panel, in one that is hardly higher than the label too, wherever its point is.
+    /// A label stays in its panel wherever its point is, also in a panel that is hardly higher than the label.
     #[test]
     fn labels_stay_inside() {
         let bounds = Frame { left: 100.0, top: 50.0, right: 900.0, bottom: 130.0, outer: 1000.0 };

@@ -1,4 +1,4 @@
-//! What a panel shows, in the numbers of its axes.
+//! Layers: the content of a panel, in the numbers of its axes.
 
 use super::canvas::TEXT;
 use super::count;
@@ -7,17 +7,17 @@ use super::palette::{Color, Dash, Style};
 /// A point in the numbers of the axes, `[x, y]`.
 pub type Place = [f64; 2];
 
-/// One thing that is drawn in a panel.
+/// One element of a panel.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Layer {
     /// A line, markers, or both.
     Series {
-        /// Points in their order; a vertical step is two points at the same place.
+        /// Points in their order; a vertical step is two points at the same position.
         points: Vec<Place>,
-        /// Look.
+        /// Appearance.
         style: Style,
-        /// Name, written in its colour beside the frame if the line has an end there, or else at its last point; empty for
-        /// none.
+        /// Name, written in the colour of the series beside the frame if the line has an end there, otherwise at its last point;
+        /// empty for no name.
         label: String,
     },
     /// The area between a curve and a level.
@@ -29,7 +29,7 @@ pub enum Layer {
         /// Colour, drawn light.
         color: Color,
     },
-    /// A stretch that moves: the area between two curves over the same places, and both curves.
+    /// A moving interval: the area between two curves over the same positions, and both curves.
     Band {
         /// One curve.
         from: Vec<Place>,
@@ -40,29 +40,29 @@ pub enum Layer {
     },
     /// Concentrated forces.
     Arrows(Arrows),
-    /// The foundation: a line with hatching, and the ground below it filled.
+    /// The foundation: a hatched line with the area below it filled.
     Foundation {
         /// The line.
         points: Vec<Place>,
     },
-    /// Dotted lines down the panel, with labels at its top, and what holds between them.
+    /// Dotted vertical lines with labels at the top of the panel, and texts that apply between them.
     Divisions(Divisions),
-    /// Words at a point.
+    /// Text at a point.
     Note {
         /// The point.
         at: Place,
-        /// The words.
+        /// The text.
         text: String,
-        /// Their colour.
+        /// The colour of the text.
         color: Color,
         /// Whether the point gets a dot.
         dot: bool,
     },
-    /// Supports, as engineers draw them.
+    /// Supports as engineering symbols.
     Supports(Vec<SupportMark>),
-    /// Loads, sketched above a level on a scale of their own.
+    /// Loads, sketched above a level on their own scale.
     Load(LoadSketch),
-    /// Coloured, lettered cells of a map, as wide and as high as one unit of its axes, which have names; see [`Axis::named`].
+    /// Coloured cells of a map with letters, one unit of the axes wide and high. The axes have names; see [`Axis::named`].
     ///
     /// [`Axis::named`]: super::Axis::named
     Cells(Vec<Cell>),
@@ -71,16 +71,16 @@ pub enum Layer {
 /// Values at which something changes.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Divisions {
-    /// Where each line crosses, from left to right, and its label; empty for none. Labels take [`Self::headroom`].
+    /// Position and label of each line, from left to right; the label is empty for none. Labels need [`Self::headroom`].
     pub lines: Vec<(f64, String)>,
-    /// What holds from one value to another, written between them if there is room.
+    /// Text that applies from one value to another, written between them if there is room.
     pub between: Vec<([f64; 2], String)>,
 }
 
 impl Divisions {
-    /// Rows of labels: in two rows there is room for more of them.
+    /// Number of rows of labels: two rows have room for more labels.
     pub(super) fn rows(&self) -> usize {
-        /// More characters than this, with one between labels, take two rows: a frame of 1700 drawing units has room for them.
+        /// Largest number of characters, with one between labels, in one row: a frame of 1700 drawing units has room for them.
         const ONE_ROW: usize = 52;
         let labels = self.lines.iter().filter(|line| !line.1.is_empty());
         match labels.map(|line| line.1.chars().count() + 1).sum() {
@@ -104,80 +104,80 @@ pub(super) const LABEL_ROW: f64 = 1.3 * TEXT;
 /// One cell of a map.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cell {
-    /// Its middle: which column, which row.
+    /// Its centre: column and row.
     pub at: Place,
     /// Its colour, drawn light.
     pub color: Color,
-    /// A letter or a short word, which says it again for those who do not see the colour.
+    /// A letter or a short word, which repeats the information for readers who do not see the colour.
     pub text: String,
 }
 
-/// A support, with the place of the axis of the beam that it holds.
+/// A support symbol and its position on the axis of the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SupportMark {
-    /// The place.
+    /// The position.
     pub at: Place,
-    /// How it looks.
+    /// The symbol.
     pub kind: SupportKind,
 }
 
-/// How a support looks.
+/// The symbol of a support.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SupportKind {
-    /// A triangle: the beam can turn.
+    /// A triangle: the beam can rotate.
     Hinge,
-    /// A triangle with a second line below: it can roll as well.
+    /// A triangle with a second line below: the support can also roll.
     Roller,
-    /// Hatched walls: the beam is built in. True on the sides, left and right, on which the beam ends.
+    /// Hatched walls: the beam is built in.
     BuiltIn {
-        /// The wall stands at the end of the beam, on its left or on its right.
+        /// Whether the beam ends here, so that the wall is across it: at the left end of the beam, at the right end.
         ends: [bool; 2],
     },
-    /// It pushes, and lets the beam lift off.
+    /// A block with a plate: a compression-only support.
     Bearing,
-    /// A zigzag: it gives. True if it lets the beam lift off.
+    /// A zigzag: an elastic support. True if it is compression-only.
     Spring(bool),
-    /// A spiral around the place: it holds the slope and gives.
+    /// A spiral around the position: a support that is elastic against rotation.
     Turning,
-    /// A circle on the beam: no support, but a joint; open for a hinge.
+    /// A circle on the beam: a joint and not a support; open for a hinge.
     Joint {
-        /// It has no stiffness.
+        /// Whether it has no stiffness.
         open: bool,
     },
 }
 
-/// Forces as arrows whose length is read on the force axis of the panel, or on its vertical axis if it has none.
+/// Forces as arrows. Their length is read on the force axis of the panel, or on its vertical axis if there is no force axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Arrows {
     /// The arrows.
     pub arrows: Vec<Arrow>,
     /// Colour.
     pub color: Color,
-    /// How the shaft is drawn.
+    /// Line style of the shaft.
     pub dash: Dash,
 }
 
-/// A force, positive upwards on the page whichever way the axis grows. The arrow starts at its place.
+/// A force, positive upwards on the page, whichever way the axis grows. The arrow starts at its point.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Arrow {
-    /// Where the arrow starts.
+    /// The start of the arrow.
     pub at: Place,
     /// The force.
     pub force: f64,
-    /// Its value in words; empty for none.
+    /// Its value as text; empty for none.
     pub text: String,
-    /// Whether the text is left out where there is no room.
+    /// Whether the text is left out if there is no room.
     pub optional: bool,
 }
 
-/// Loads as a shaded block with small arrows, point loads as large arrows. Positive downwards.
+/// Distributed loads as a shaded block with small arrows, point loads as large arrows. Positive downwards.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadSketch {
-    /// The level that they rest on: the beam.
+    /// The level on which the loads act: the beam.
     pub level: f64,
-    /// Intensity along the beam, `[x, force per length]`; a step is two points at the same place.
+    /// Intensity along the beam, `[x, force per length]`; a step is two points at the same position.
     pub intensity: Vec<Place>,
-    /// Value of each stretch to be written, `(x, intensity, text)`.
+    /// Values to be written, one for each interval, `(x, intensity, text)`.
     pub values: Vec<(f64, f64, String)>,
     /// Point loads, `(x, force, text)`.
     pub points: Vec<(f64, f64, String)>,
@@ -186,7 +186,7 @@ pub struct LoadSketch {
 }
 
 impl LoadSketch {
-    /// Whether there is anything to draw.
+    /// Whether all loads are zero.
     #[must_use]
     pub(crate) fn is_empty(&self) -> bool {
         let none = |acts: &[(f64, f64, String)]| acts.iter().all(|p| p.1 == 0.0);
@@ -201,13 +201,13 @@ impl Layer {
         Self::named(points, style, "")
     }
 
-    /// The line `0`, from one place to another.
+    /// The line `0` between two positions.
     #[must_use]
     pub fn zero_line([from, to]: [f64; 2]) -> Self {
         Self::line(vec![[from, 0.0], [to, 0.0]], Style { width: 3, ..Style::solid(Color::BLACK) })
     }
 
-    /// Words at a point, without a dot.
+    /// Text at a point, without a dot.
     pub fn words(at: Place, color: Color, text: impl Into<String>) -> Self {
         Self::Note { at, text: text.into(), color, dot: false }
     }
@@ -224,7 +224,7 @@ impl Layer {
         Self::Series { points, style, label: label.into() }
     }
 
-    /// Numbers on the x axis and on the y axis that the layer needs.
+    /// The numbers on the x axis and on the y axis that the layer needs.
     pub(super) fn needs(&self) -> [Vec<f64>; 2] {
         let of = |points: &[Place]| [0, 1].map(|k| points.iter().map(|p| p[k]).collect::<Vec<f64>>());
         match self {
@@ -257,7 +257,7 @@ impl Layer {
         arrows.iter().map(|arrow| arrow.force)
     }
 
-    /// The ends of a line with a name, the last one first.
+    /// The ends of a named line, the last one first.
     pub(super) fn named_ends(&self) -> Option<([Place; 2], &str)> {
         match self {
             Self::Series { points, style, label } if style.dash.is_some() && !label.is_empty() => {

@@ -1,4 +1,4 @@
-//! Supports and joints, as engineers draw them.
+//! Engineering symbols of supports and joints.
 
 use super::canvas::{Canvas, Point};
 use super::layer::SupportKind;
@@ -25,7 +25,7 @@ pub(super) fn support(canvas: &mut Canvas, [x, y]: Point, kind: SupportKind) -> 
     canvas.line(&[[x - 36.0, ground], [x + 36.0, ground]], Color::BLACK, 4, Dash::Solid)
 }
 
-/// A block below its level, with a plate that the beam may lie on.
+/// A block below its level, with a plate for the beam to rest on.
 fn block(canvas: &mut Canvas, [x, y]: Point) -> Result<(), PlotError> {
     let corners = [[x - 20.0, y + 4.0], [x + 20.0, y + 4.0], [x + 20.0, y + 42.0], [x - 20.0, y + 42.0]];
     canvas.fill(&corners, Color::WHITE, 1.0)?;
@@ -35,13 +35,13 @@ fn block(canvas: &mut Canvas, [x, y]: Point) -> Result<(), PlotError> {
     canvas.line(&[[x - 36.0, y + 42.0], [x + 36.0, y + 42.0]], Color::BLACK, 4, Dash::Solid)
 }
 
-/// Walls that hold the beam against turning: across it where it ends, above and below it elsewhere.
+/// Walls that restrain the rotation of the beam: across its end, or above and below it elsewhere.
 fn walls(canvas: &mut Canvas, [x, y]: Point, ends: [bool; 2]) -> Result<(), PlotError> {
-    /// Half the height of a wall, half the width of one above or below the beam, and how far that is from the axis.
+    /// Half the height of a wall; half the width of a wall above or below the beam, and its distance from the axis.
     const HEIGHT: f64 = 52.0;
     const WIDTH: f64 = 34.0;
     const CLEAR: f64 = 12.0;
-    /// Length of the strokes, and their distance.
+    /// Length of the hatching strokes.
     const STROKE: f64 = 16.0;
     let along = |from: f64, to: f64| {
         let count = 5_u32;
@@ -65,9 +65,9 @@ fn walls(canvas: &mut Canvas, [x, y]: Point, ends: [bool; 2]) -> Result<(), Plot
     canvas.lines(&strokes.collect::<Vec<_>>(), Color::BLACK, 3, Dash::Solid)
 }
 
-/// A zigzag below its level, with a plate that the beam may lie on if it only pushes.
+/// A zigzag below its level; if it is compression-only, with a plate for the beam to rest on.
 fn spring(canvas: &mut Canvas, [x, y]: Point, pushes_only: bool) -> Result<(), PlotError> {
-    /// Half the width of the zigzag, its turns, and the heights of their ends.
+    /// Half the width of the zigzag, the number of its turns, and the depths of its ends.
     const HALF: f64 = 16.0;
     const TURNS: u32 = 6;
     const HEIGHTS: [f64; 2] = [10.0, 46.0];
@@ -86,9 +86,9 @@ fn spring(canvas: &mut Canvas, [x, y]: Point, pushes_only: bool) -> Result<(), P
     canvas.line(&[[x - 36.0, ground], [x + 36.0, ground]], Color::BLACK, 4, Dash::Solid)
 }
 
-/// A spiral around a place, on a short strut.
+/// A spiral around a position, on a short strut.
 fn spiral(canvas: &mut Canvas, [x, y]: Point) -> Result<(), PlotError> {
-    /// Turns, in quarters, and the radius of the last one.
+    /// Number of quarter turns and final radius.
     const QUARTERS: usize = 9;
     const RADIUS: f64 = 30.0;
     const PARTS: usize = 6;
@@ -99,7 +99,7 @@ fn spiral(canvas: &mut Canvas, [x, y]: Point) -> Result<(), PlotError> {
     canvas.line(&[[x - 36.0, y + 50.0], [x + 36.0, y + 50.0]], Color::BLACK, 4, Dash::Solid)
 }
 
-/// An arc around a place from one number of quarters of a turn to another, clockwise on the page, from the right on.
+/// An arc around a position between two angles in quarters of a turn, clockwise on the page from the right.
 pub(super) fn arc([x, y]: Point, radius: f64, [from, to]: [f64; 2]) -> Vec<Point> {
     const PARTS: u32 = 24;
     let at = |k: u32| {
@@ -114,7 +114,7 @@ pub(super) fn arc([x, y]: Point, radius: f64, [from, to]: [f64; 2]) -> Vec<Point
 mod tests {
     use super::{Canvas, walls};
 
-    /// Each stroke leads away from the beam, which is at 100.
+    /// Each stroke points away from the beam, which is at 100.
     #[test]
     fn where_the_beam_goes_on_there_is_a_wall_above_and_one_below() {
         let mut svg = String::new();

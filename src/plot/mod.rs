@@ -1,8 +1,8 @@
-//! Figures as SVG: pure functions from data to text, the same to the byte for the same data, without I/O.
+//! Figures as SVG: pure functions from data to text, without I/O; the same data give the same bytes.
 //!
-//! [`Figure`], [`Panel`], [`Axis`] and [`Layer`] are the grammar; [`curves()`] draws a beam in its final position, [`sheet`]
-//! many of them, small. Deflections and bending moments grow downwards; a concentrated force is an arrow with its value, on a
-//! scale of forces of its own.
+//! [`Figure`], [`Panel`], [`Axis`] and [`Layer`] are the building blocks. [`curves()`] draws a beam in its final position, and
+//! [`sheet`] draws many small ones. Deflections and bending moments grow downwards. A concentrated force is an arrow with its value,
+//! on its own scale of forces.
 //!
 //! ```
 //! use palkki::plot::{self, Axis, Curves, Figure, Layer, Panel, Style};
@@ -16,7 +16,7 @@
 //! let svg = plot::curves(&scene, &Curves::exact(&scene, &exact), "beam theory")?;
 //! assert!(svg.starts_with("<svg"));
 //!
-//! // A figure of one's own: the slope along the beam.
+//! // A custom figure: the slope along the beam.
 //! let points = (0..=100).map(|i| f64::from(i) / 10.0).map(|x| [x, exact.slope(x)]).collect();
 //! let slope = Layer::Series { points, style: Style::of_series(0), label: "slope".to_owned() };
 //! let panel = Panel::new(Axis::new("x"), Axis::new("v'").down()).with(slope);
@@ -50,55 +50,55 @@ pub use panel::Panel;
 pub use solution::{curves, sheet};
 pub use sweep::sweep;
 
-/// Why a figure was not drawn.
+/// The reason why a figure was not drawn.
 #[derive(Debug, thiserror::Error)]
 pub enum PlotError {
-    /// A number that has no place on paper.
+    /// A number that is not finite.
     #[error("{what} must be finite, but is {value}")]
     NotFinite {
-        /// Which number.
+        /// Name of the number.
         what: &'static str,
         /// Its value.
         value: f64,
     },
-    /// A number that has no place on a logarithmic axis.
+    /// A number that is not positive on a logarithmic axis.
     #[error("{what} must be positive on a logarithmic axis, but is {value}")]
     NotPositive {
-        /// Which number.
+        /// Name of the number.
         what: &'static str,
         /// Its value.
         value: f64,
     },
-    /// Nothing to draw.
+    /// There is nothing to draw.
     #[error("{what} must hold at least one value, but is empty")]
     Empty {
-        /// What is empty.
+        /// Name of what is empty.
         what: &'static str,
     },
-    /// Two lists that belong together and differ in length.
+    /// Two lists that belong together have different lengths.
     #[error("{what} must have {expected} values, one for each place, but has {count}")]
     LengthMismatch {
-        /// Which list.
+        /// Name of the list.
         what: &'static str,
-        /// How many values it has.
+        /// Number of values in the list.
         count: usize,
-        /// How many it needs.
+        /// Number of values required.
         expected: usize,
     },
-    /// A state without values at nodes: its curves have to be sampled by whoever knows them.
+    /// The state has no values at nodes. The caller has to sample its curves.
     #[error("a state without nodes has no curves of its own; sample them into `Curves`")]
     NoNodes,
-    /// The drawing library failed; drawing to a string, nothing should.
+    /// The drawing library failed, which is not expected when it draws to a string.
     #[error("the figure could not be drawn: {0}")]
     Backend(String),
 }
 
-/// `value` if it is finite.
+/// `value` if it is finite, otherwise an error.
 fn finite(what: &'static str, value: f64) -> Result<f64, PlotError> {
     if value.is_finite() { Ok(value) } else { Err(PlotError::NotFinite { what, value }) }
 }
 
-/// Nothing, if `values` has as many values as there are places.
+/// Checks that `values` has one value for each position.
 fn same_length(what: &'static str, values: &[f64], places: &[f64]) -> Result<(), PlotError> {
     if values.len() == places.len() {
         Ok(())
@@ -107,15 +107,15 @@ fn same_length(what: &'static str, values: &[f64], places: &[f64]) -> Result<(),
     }
 }
 
-/// A number of lines or columns to calculate with.
+/// A number of lines or columns as `f64`.
 fn count(n: usize) -> f64 {
     f64::from(u32::try_from(n).unwrap_or(u32::MAX))
 }
 
-/// Equal intervals between the places at which a smooth line is drawn; a drawing is 2400 units wide.
+/// Number of equal intervals in which a smooth line is drawn; a drawing is 2400 units wide.
 const SAMPLES: u32 = 600;
 
-/// Digits of a value that is written beside the point that it belongs to.
+/// Digits of a value that is written beside its point.
 const DIGITS: usize = 4;
 
 #[cfg(test)]
@@ -139,7 +139,7 @@ mod tests {
         Scene::new(beam, load, foundation).expect("a well-posed scene").labelled("A beam on the ground", units)
     }
 
-    /// A made-up state: the drawing does not ask whether the numbers are in equilibrium.
+    /// An invented state: the drawing does not check equilibrium.
     fn state(forces: &[f64], clearance: f64) -> ContactState {
         let step = LENGTH / f64::from(u32::try_from(forces.len() + 1).expect("few nodes"));
         let x: Vec<f64> = (1_u32..).take(forces.len()).map(|i| step * f64::from(i)).collect();
@@ -199,7 +199,7 @@ mod tests {
 
     #[test]
     fn a_long_contact_is_drawn_by_its_resultants() {
-        // Fifteen nodes half a length unit apart: at either end two forces make one arrow, in between there is pressure.
+        // Fifteen nodes at half a length unit: at each end two forces become one arrow, and between them there is pressure.
         let mut forces = vec![0.0; 15];
         forces[3..12].fill(0.5);
         (forces[3], forces[4]) = (1.25, 0.8125);

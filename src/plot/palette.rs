@@ -1,7 +1,7 @@
-//! Colours that stay apart for colour-blind readers, and dashes and markers that stay apart without any colour.
+//! Colours that colour-blind readers can distinguish, and dashes and markers that are distinct without colour.
 //!
-//! The colours are those of M. Okabe and K. Ito, "Color Universal Design" (2008), without their yellow, which is too
-//! light for a line on white.
+//! The colours come from M. Okabe and K. Ito, "Color Universal Design" (2008). Their yellow is left out because it is too light for a
+//! line on white.
 
 use std::fmt;
 
@@ -9,7 +9,7 @@ use std::fmt;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Color(pub u8, pub u8, pub u8);
 
-/// What each colour becomes in dark surroundings. The paper is a property that a page may set to its own.
+/// The replacement of each colour in dark surroundings. The colour of the paper is a property that a page may override.
 const DARK: [(Color, &str); 12] = [
     (Color::BLACK, "#E6EDF3"),
     (Color::BLUE, "#479FE6"),
@@ -25,8 +25,8 @@ const DARK: [(Color, &str); 12] = [
     (Color::GROUND, "#3B352C"),
 ];
 
-/// What each colour becomes in words: as dark as they must be for a contrast of 4.5 (WCAG 2.2, 1.4.3) on the foundation, which
-/// is the darkest that they stand on.
+/// The colours of text, dark enough for a contrast of 4.5 (WCAG 2.2, 1.4.3) on the fill of the foundation, which is the darkest
+/// background of text.
 const WORDS: [(Color, Color); 6] = [
     (Color::BLUE, Color(0, 100, 157)),
     (Color::VERMILLION, Color(155, 69, 0)),
@@ -36,7 +36,7 @@ const WORDS: [(Color, Color); 6] = [
     (Color::SKY, Color(48, 101, 130)),
 ];
 
-/// Style rules that turn a figure dark: each figure has them, under what its surroundings prefer.
+/// Style rules that make a figure dark. Each figure applies them if its surroundings prefer dark colours.
 #[must_use]
 pub fn dark_rules() -> String {
     let rule = |(color, dark): (Color, &str)| {
@@ -47,7 +47,7 @@ pub fn dark_rules() -> String {
     DARK.map(rule).concat()
 }
 
-/// As SVG has it, `#D55E00`.
+/// In SVG notation, `#D55E00`.
 impl fmt::Display for Color {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self(red, green, blue) = self;
@@ -56,14 +56,14 @@ impl fmt::Display for Color {
 }
 
 impl Color {
-    /// The colour of words that belong to a line of this one.
+    /// The colour of text that belongs to a line of this colour.
     pub(super) fn of_words(self) -> Self {
         WORDS.iter().find(|(color, _)| *color == self).map_or(self, |(_, words)| *words)
     }
 
     /// Black: text, beam, axes.
     pub const BLACK: Self = Self(0, 0, 0);
-    /// Blue: what is computed.
+    /// Blue: computed results.
     pub const BLUE: Self = Self(0, 114, 178);
     /// Vermillion: contact and contact forces.
     pub const VERMILLION: Self = Self(213, 94, 0);
@@ -87,23 +87,23 @@ impl Color {
     pub(crate) const GROUND: Self = Self(222, 217, 208);
 }
 
-/// How a line is drawn.
+/// The line style.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dash {
-    /// Unbroken: what is computed.
+    /// Unbroken: computed results.
     Solid,
     /// Dashed: beam theory.
     Dashed,
     /// Dotted: guides and borders.
     Dotted,
-    /// Dash and dot in turn.
+    /// Dashes and dots alternating.
     DashDot,
     /// Long dashes with short gaps.
     LongDashed,
 }
 
 impl Dash {
-    /// Lengths of strokes and gaps in turn \[drawing units\]; empty for an unbroken line.
+    /// Lengths of strokes and gaps, alternating \[drawing units\]; empty for an unbroken line.
     pub(super) fn pattern(self) -> &'static [f64] {
         match self {
             Self::Solid => &[],
@@ -129,14 +129,14 @@ pub enum Marker {
     Star,
 }
 
-/// The look of one series.
+/// The appearance of one series.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Style {
     /// Colour of line and markers.
     pub color: Color,
-    /// How the points are joined; not at all if `None`.
+    /// Style of the line between the points; no line if `None`.
     pub dash: Option<Dash>,
-    /// What marks the points, if anything.
+    /// The marker at each point, if any.
     pub marker: Option<Marker>,
     /// Width of the line \[drawing units\].
     pub width: u32,
@@ -161,7 +161,7 @@ impl Style {
         Self { color, dash: None, marker: Some(marker), width: 4 }
     }
 
-    /// The look of series `i` among several: no two of the first seven share a colour or a marker.
+    /// The appearance of series `i` of several; the first seven have different colours and different markers.
     #[must_use]
     pub fn of_series(i: usize) -> Self {
         const COLORS: [Color; 7] =

@@ -1,4 +1,4 @@
-//! A panel: a vertical axis on the left, one for forces on the right if there are arrows, a light grid, and layers.
+//! Panels: a vertical axis on the left, an axis of forces on the right if there are arrows, a light grid, and layers.
 
 use super::axis::{Axes, Axis, Resolved, Tick};
 use super::canvas::{Align, Canvas, TEXT, Type, text_width, wrapped};
@@ -8,37 +8,36 @@ use super::layer::Layer;
 use super::palette::{Color, Dash};
 use super::{PlotError, count};
 
-/// Axes and what is drawn between them.
+/// Axes and the layers drawn between them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Panel {
-    /// The horizontal axis. Without a label it takes no room for one.
+    /// The horizontal axis. Without a label it needs no room for one.
     pub x: Axis,
-    /// The vertical axis; its label stands above the panel, upright.
+    /// The vertical axis; its label is above the panel, horizontal.
     pub y: Axis,
-    /// The axis on which the length of arrows is read: on the right, its zero beside that of `y`. Without it arrows are read
-    /// on `y`.
+    /// The axis for the length of arrows: on the right, with its zero at the zero of `y`. Without it the length is read on `y`.
     pub forces: Option<Axis>,
-    /// From back to front.
+    /// The layers from back to front.
     pub layers: Vec<Layer>,
     /// Height between the horizontal frame lines \[drawing units\].
     pub height: f64,
-    /// Room inside the frame above the data, for arrows, sketches of loads and labels \[drawing units\].
+    /// Room inside the frame above the data, for arrows, load sketches and labels \[drawing units\].
     pub headroom: f64,
     /// Room inside the frame below the data \[drawing units\].
     pub footroom: f64,
-    /// Whether the panel takes a whole row of the figure.
+    /// Whether the panel occupies a whole row of the figure.
     pub wide: bool,
 }
 
-/// Beside the panel.
+/// Margin beside the panel.
 const MARGIN: f64 = 40.0;
-/// Between the frame and the numbers of a vertical axis.
+/// Distance between the frame and the numbers of a vertical axis.
 const CLEAR: f64 = 24.0;
-/// Height of the numbers below the frame, of a line of words, and below the panel.
+/// Height of the numbers below the frame, of a line of text, and of the gap below the panel.
 const NUMBERS: f64 = 1.6 * TEXT;
 const LINE: f64 = 1.25 * TEXT;
 const GAP: f64 = 50.0;
-/// At most this part of the width is for names beside the frame.
+/// Largest share of the width for the name of a line beside the frame.
 const NAMES: f64 = 0.35;
 
 impl Panel {
@@ -79,7 +78,7 @@ impl Panel {
         Self { wide: true, ..self }
     }
 
-    /// The panel in a column of `width` \[drawing units\], with the words around its frame and the room that they need.
+    /// The panel in a column of `width` \[drawing units\], with the texts around its frame and the room that they need.
     pub(super) fn layout(&self, width: f64) -> Result<Layout<'_>, PlotError> {
         let frame = Frame { left: 0.0, top: 0.0, right: width, bottom: self.height, outer: width };
         let axes = self.axes(&frame)?;
@@ -87,10 +86,10 @@ impl Panel {
         let right = axes.forces.as_ref().map_or(0.0, |forces| CLEAR + widest(&forces.ticks));
         let names = self.layers.iter().filter_map(Layer::named_ends);
         let beside = names.filter(|(ends, _)| ends.iter().any(|end| frame.ends_at(axes.x.place(end[0]))));
-        // Names that would take too much of the width stand inside.
+        // Names that would need too much of the width are written inside.
         let widths = beside.map(|(_, name)| BESIDE + text_width(name, Type::PLAIN)).filter(|w| *w < NAMES * width);
         let right = widths.fold(right, f64::max);
-        // The last number below the frame is centred at its end.
+        // The last number below the frame is centred at the right edge.
         let last = axes.x.ticks.last().map_or(0.0, |tick| 0.5 * text_width(&tick.label, Type::PLAIN));
         let margins = [MARGIN + widest(&axes.y.ticks) + CLEAR, MARGIN + right.max(last)];
 
@@ -112,7 +111,7 @@ impl Panel {
             let [least, most] = of_arrows
                 .chain(axis.include.iter().copied())
                 .fold([0.0_f64; 2], |[least, most], force| [least.min(force), most.max(force)]);
-            // The value of the longest arrow stands beyond its tip.
+            // The value of the longest arrow is written beyond its tip.
             let below = if least < 0.0 { frame.bottom - 1.4 * TEXT } else { frame.bottom };
             Resolved::of_forces(axis, [least, most], y.place(0.0), [below, frame.top + 1.4 * TEXT], 1.5 * count)
         });
@@ -128,7 +127,7 @@ pub(super) struct Layout<'a> {
     width: f64,
     /// Room for numbers and names on the left and on the right of the frame.
     pub(super) margins: [f64; 2],
-    /// The label of the vertical axis in lines, and that of the forces, which stands on the right of the first line.
+    /// The lines of the label of the vertical axis, and the label of the force axis, which is on the right of the first line.
     above: Vec<String>,
     forces: String,
     /// The label of the horizontal axis.
@@ -141,14 +140,14 @@ impl Layout<'_> {
         Self { margins, ..self.clone() }
     }
 
-    /// Height with all that belongs to the panel.
+    /// The total height of the panel with everything that belongs to it.
     pub(super) fn height(&self) -> f64 {
         let lines = self.above.len() + self.x_label().len();
         let numbers = if self.panel.x.numbers { NUMBERS } else { 0.0 };
         LINE * count(lines) + 0.3 * LINE + self.panel.height + numbers + GAP
     }
 
-    /// The label of the horizontal axis in lines, which are centred below the frame.
+    /// The lines of the label of the horizontal axis, which are centred below the frame.
     fn x_label(&self) -> Vec<String> {
         let [left, right] = self.margins;
         let half = 0.5 * (self.width - left - right) + left.min(right) - MARGIN;
@@ -179,7 +178,7 @@ impl Layout<'_> {
         labels.write(canvas, &frame)
     }
 
-    /// Grid lines, numbers, frame and the label of the horizontal axis.
+    /// Draws grid lines, numbers, frame and the label of the horizontal axis.
     fn grid(&self, canvas: &mut Canvas, frame: &Frame, axes: &Axes) -> Result<(), PlotError> {
         for tick in &axes.x.ticks {
             let x = axes.x.place(tick.value);
@@ -195,7 +194,7 @@ impl Layout<'_> {
             }
             canvas.text(&tick.label, [frame.left - CLEAR, y], Align::Right, Type::PLAIN)?;
         }
-        // What has no numbers has no frame.
+        // An axis without numbers has no frame line.
         let mut corners = Vec::new();
         if self.panel.y.numbers {
             corners.extend([[frame.left, frame.top], [frame.left, frame.bottom]]);

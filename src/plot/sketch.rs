@@ -1,4 +1,4 @@
-//! What is given, as it is drawn: the foundation below the beam, the loads above it, and units.
+//! Sketches of the given data: the foundation below the beam, the loads above it, supports, joints and units.
 
 use super::curves::Curves;
 use super::layer::{Divisions, Layer, LoadSketch, Place, SupportKind, SupportMark};
@@ -6,18 +6,18 @@ use super::{DIGITS, SAMPLES};
 use crate::scene::{Foundation, Joint, Scene, Support, Units};
 use crate::text::significant;
 
-/// The foundation as far as it is drawn.
+/// The drawn part of the foundation.
 pub(super) struct Ground {
-    /// The stretches of it that are drawn, from left to right.
+    /// The intervals that are drawn, from left to right.
     pub(super) pieces: Vec<Vec<Place>>,
-    /// Where it lies below the drawing, one place for each stretch, and how deep.
+    /// Labels with the depth where the foundation is below the drawing, one for each interval.
     pub(super) below: Vec<(Place, String)>,
-    /// Why something is missing, as a sentence of the description.
+    /// A sentence of the description that says why something is missing.
     pub(super) remark: Option<String>,
 }
 
-/// A foundation deeper than this many times the deflection would flatten the beam to a line: it is not drawn there, and a
-/// label says how deep it is. A line at the border would look like ground.
+/// Depth limit as a multiple of the largest deflection. A deeper foundation would flatten the beam to a line, so it is not drawn and
+/// a label gives its depth. A line at the border would look like the foundation.
 const DEEPEST: f64 = 4.0;
 
 pub(super) fn foundation_line(scene: &Scene, curves: &Curves) -> Ground {
@@ -35,7 +35,7 @@ pub(super) fn foundation_line(scene: &Scene, curves: &Curves) -> Ground {
     let deflected = curves.axis().iter().fold(0.0_f64, |most, p| most.max(p[1].abs()));
     let limit = if 0.0 < deflected { DEEPEST * deflected } else { f64::INFINITY };
     let (pieces, gaps) = cut(&line, limit);
-    // A stretch without ground is marked at the bottom of what is drawn.
+    // An interval without a drawn foundation is marked at the bottom of the drawing.
     let bottom = if pieces.is_empty() { deflected } else { limit };
     let deepest = |[from, to]: [f64; 2]| {
         let inside = line.iter().filter(|p| from <= p[0] && p[0] <= to);
@@ -62,7 +62,7 @@ pub(super) fn foundation_line(scene: &Scene, curves: &Curves) -> Ground {
     Ground { pieces: above_ground(scene, pieces), below, remark }
 }
 
-/// The same without what is above gaps in an elastic foundation.
+/// The same without the parts above gaps in an elastic foundation.
 fn above_ground(scene: &Scene, pieces: Vec<Vec<Place>>) -> Vec<Vec<Place>> {
     if scene.ground_parts().all(|(_, k)| 0.0 < k) {
         return pieces;
@@ -82,7 +82,7 @@ fn above_ground(scene: &Scene, pieces: Vec<Vec<Place>>) -> Vec<Vec<Place>> {
     pieces.iter().flat_map(|piece| grounded.iter().filter_map(|part| within(piece, *part))).collect()
 }
 
-/// The stretches of a line that are not deeper than `limit`, and those from where to where it is.
+/// The parts of a line that are not deeper than `limit`, and the intervals in which it is deeper.
 fn cut(line: &[Place], limit: f64) -> (Vec<Vec<Place>>, Vec<[f64; 2]>) {
     let (mut pieces, mut gaps) = (Vec::new(), Vec::new());
     let mut piece: Vec<Place> = Vec::new();
@@ -113,8 +113,8 @@ fn cut(line: &[Place], limit: f64) -> (Vec<Vec<Place>>, Vec<[f64; 2]>) {
     (pieces, gaps)
 }
 
-/// The supports as engineers draw them: the first of simple ones is a hinge, and the others roll; what only pushes is a block that the
-/// beam is not tied to, and what gives is a spring.
+/// The supports as engineering symbols. The first simple support is a hinge and the others are rollers, unless the beam is built in.
+/// A compression-only support is a block that is not connected to the beam, and an elastic support is a spring.
 pub(super) fn support_marks(scene: &Scene) -> Layer {
     let (beam, supports) = (scene.beam(), scene.beam().all_supports());
     let is_held = supports.iter().any(Support::is_built_in);
@@ -145,7 +145,7 @@ pub(super) fn joint_marks(scene: &Scene, curves: &Curves) -> Layer {
     Layer::Supports(scene.beam().joints().iter().map(mark).collect())
 }
 
-/// Where the bending stiffness changes, and what it is on both sides.
+/// Positions at which the bending stiffness changes, and its values between them.
 pub(super) fn changes(scene: &Scene, units: &UnitLabels) -> Divisions {
     let (beam, steps) = (scene.beam(), scene.beam().steps());
     if beam.changes().next().is_none() {
@@ -161,7 +161,7 @@ pub(super) fn changes(scene: &Scene, units: &UnitLabels) -> Divisions {
     }
 }
 
-/// `q(x)` as a line with its steps, and the point loads.
+/// `q(x)` as a line with its steps, the point loads and the couples.
 pub(super) fn sketch(scene: &Scene, curves: &Curves, units: &UnitLabels) -> LoadSketch {
     let (load, length) = (scene.load(), scene.beam().length());
     let mut cuts: Vec<f64> = load.linear().iter().flat_map(|q| [q.from, q.to]).chain([0.0, length]).collect();
@@ -197,13 +197,13 @@ pub(super) fn sketch(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Load
     LoadSketch { level, intensity, values, points, couples }
 }
 
-/// Units as they are printed; `None` where the scene names none.
+/// Units as they are printed; `None` if the scene has none.
 pub(super) struct UnitLabels {
     pub(super) length: Option<String>,
     pub(super) force: Option<String>,
     pub(super) pressure: Option<String>,
     pub(super) moment: Option<String>,
-    /// Of a bending stiffness.
+    /// Unit of bending stiffness.
     pub(super) stiffness: Option<String>,
 }
 
@@ -219,14 +219,14 @@ impl UnitLabels {
         }
     }
 
-    /// For axes: a scene without units has the dimension in the place of each unit.
+    /// Units for axes: a scene without units has the dimension in place of each unit.
     pub(super) fn of_axes(units: &Units) -> Self {
         let named = |unit: &Option<String>, dimension: &str| unit.clone().or_else(|| Some(dimension.to_owned()));
         Self::of(&Units { length: named(&units.length, "length"), force: named(&units.force, "force") })
     }
 }
 
-/// `1.182 kN`
+/// A value with its unit, for example `1.182 kN`.
 pub(super) fn with_unit(value: f64, unit: &Option<String>) -> String {
     let number = significant(value, DIGITS);
     unit.as_ref().map_or(number.clone(), |unit| format!("{number} {unit}"))

@@ -1,4 +1,4 @@
-//! A beam in its final position: shape and foundation, clearance, contact forces, moment, shear.
+//! Figure of a beam in its final position: shape and foundation, clearance, contact forces, moment and shear force.
 
 use super::axis::Axis;
 use super::canvas::TEXT;
@@ -12,11 +12,12 @@ use super::{PlotError, finite, same_length};
 use crate::scene::Scene;
 use crate::state::{Extremes, SupportForce};
 
-/// Draws a solution given as curves; `subtitle`, the method for example, follows the title of the scene.
+/// Draws a solution given as curves. `subtitle`, for example the method, follows the title of the scene.
 ///
 /// # Errors
 ///
-/// A [`PlotError`] for lists of unequal length and for numbers that are not finite; a clearance may be infinite.
+/// A [`PlotError`] for lists of unequal length and for numbers that are not finite; a clearance above a gap in the foundation may be
+/// infinite.
 pub fn curves(scene: &Scene, curves: &Curves, subtitle: &str) -> Result<String, PlotError> {
     same_length("the deflections", &curves.deflection, &curves.x)?;
     same_length("the clearances", &curves.clearance, &curves.x)?;
@@ -40,7 +41,7 @@ pub fn curves(scene: &Scene, curves: &Curves, subtitle: &str) -> Result<String, 
     Figure::new(title, description(curves, &foundation, &units), panels).svg()
 }
 
-/// Small pictures of many solutions, four in a row: ground, beam, contact zones as thick lines, contact points as dots, and
+/// Draws small pictures of many solutions, four in a row: foundation, beam, contact zones as thick lines, contact points as dots, and
 /// concentrated contact forces as arrows, all without numbers.
 ///
 /// # Errors
@@ -110,15 +111,15 @@ fn along(scene: &Scene) -> Axis {
     Axis::along("x", [0.0, scene.beam().length()]).unit(UnitLabels::of_axes(scene.units()).length)
 }
 
-/// An extreme, labelled with its value and its place.
+/// An extreme, labelled with its value and its position.
 fn extreme(name: &str, at: f64, value: f64, unit: &Option<String>, units: &UnitLabels) -> Layer {
     let text = format!("{name} = {} at x = {}", with_unit(value, unit), with_unit(at, &units.length));
     Layer::Note { at: [at, value], text, color: Color::BLACK, dot: true }
 }
 
-/// Labels for both extremes, each only if it stands out from zero.
+/// Labels for both extremes, each only if it is clearly different from zero.
 fn extremes(name: &str, e: &Extremes, unit: &Option<String>, units: &UnitLabels) -> Result<Vec<Layer>, PlotError> {
-    /// A value below this part of the other extreme lies on the zero line of the drawing.
+    /// An extreme below this share of the larger one is on the zero line of the drawing.
     const VISIBLE: f64 = 0.02;
     for value in [e.max, e.max_at, e.min, e.min_at] {
         finite("an extreme or its place", value)?;
@@ -134,7 +135,7 @@ fn extremes(name: &str, e: &Extremes, unit: &Option<String>, units: &UnitLabels)
     Ok(notes)
 }
 
-/// Room for ground below the lowest line; none where the ground is cut off, which would look like its end.
+/// Room for the foundation below its lowest line. There is none where the foundation is cut off, because it would look like its end.
 fn footroom(ground: &Ground) -> f64 {
     if ground.below.is_empty() { 40.0 } else { 0.0 }
 }
@@ -152,7 +153,7 @@ fn shape(scene: &Scene, curves: &Curves, ground: &Ground, units: &UnitLabels) ->
     panel.layers.extend(below);
     let sketch = sketch(scene, curves, units);
     let load = !sketch.is_empty();
-    // For a block of load and its value, and for the longer arrows of point loads.
+    // Room for a load block and its value, and for the longer arrows of point loads.
     let headroom = match (load, sketch.points.is_empty()) {
         (false, _) => 40.0,
         (true, true) => 190.0,
@@ -203,14 +204,14 @@ fn small(name: &str, scene: &Scene, curves: &Curves) -> Panel {
     panel.with(beam).with(joint_marks(scene, curves)).with(Layer::Arrows(arrows))
 }
 
-/// How high a line is at `x`, or at the first of its points beyond.
+/// The height of a line at `x`, or at its first point beyond.
 fn height(line: &[Place], x: f64) -> f64 {
     line.iter().find(|p| x <= p[0]).map_or(0.0, |p| p[1])
 }
 
-/// Where the beam touches, thick along a line; a dot where that would be too short to be seen.
+/// The contacts of the beam, drawn thick along a line; a dot for a contact too short to be visible.
 fn touching(line: &[Place], curves: &Curves) -> Vec<Layer> {
-    /// The shortest zone that is drawn as such, over the length of the beam.
+    /// Length of the shortest zone that is drawn as a zone, over the length of the beam.
     const SHORTEST: f64 = 0.006;
     let length = curves.x.last().copied().unwrap_or_default();
     let zone = |&[from, to]: &[f64; 2]| {
@@ -227,10 +228,10 @@ fn touching(line: &[Place], curves: &Curves) -> Vec<Layer> {
     curves.contacts.iter().map(zone).collect()
 }
 
-/// No panel where there is no foundation; a second one where the beam leaves the ground so little between its contacts that
-/// the first does not show it.
+/// The panels of the clearance: none without a foundation, and a second one if the clearance between the contacts is too small to be
+/// visible in the first.
 fn clearance(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Vec<Panel>, PlotError> {
-    /// Below this part of the largest clearance a smaller one is drawn again on a scale of its own.
+    /// A clearance below this share of the largest one is drawn again on its own scale.
     const SMALL: f64 = 0.1;
     if scene.foundation().is_none() {
         return Ok(Vec::new());
@@ -238,7 +239,7 @@ fn clearance(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Vec<P
     let points = zip(&curves.x, &curves.clearance);
     let [most, small] = curves.clearance_extremes;
     finite("a clearance above a foundation", most.max)?;
-    // Only above a gap in the foundation there is none.
+    // A clearance may be infinite only above a gap in the foundation.
     if !scene.ground_parts().any(|(_, stiffness)| stiffness <= 0.0) {
         curves.clearance.iter().try_for_each(|h| finite("a clearance above a foundation", *h).map(|_| ()))?;
     }
@@ -250,7 +251,7 @@ fn clearance(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Vec<P
             points.chunk_by(|a, b| a[1].is_finite() && b[1].is_finite()).filter(|part| part[0][1].is_finite());
         panel.layers.extend(stretches.map(|part| Layer::line(part.to_vec(), Style::solid(Color::BLUE))));
         panel.layers.extend(touching);
-        // A beam that lies on the ground from end to end has no clearance to name.
+        // A beam that lies on the foundation from end to end has no clearance to label.
         let note = extreme("h", at, value, &units.length, units);
         if value == 0.0 { panel } else { panel.with(note) }
     };
@@ -270,11 +271,11 @@ fn clearance(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Vec<P
 }
 
 fn forces(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Panel {
-    /// Height that all arrows share \[drawing units\].
+    /// Height shared by all arrows \[drawing units\].
     const HEIGHT: f64 = 480.0;
     let all = || curves.point_forces.iter().map(|f| f.force).chain(curves.supports.iter().map(|support| support.force));
     let [least, most] = all().fold([0.0_f64; 2], |[least, most], f| [least.min(f), most.max(f)]);
-    // Arrows that point downwards, at a support that holds the beam down, need their part of the height.
+    // Arrows that point downwards, at a support in tension, need their share of the height.
     let footroom = if least < 0.0 { 90.0 + HEIGHT * (-least / (most - least)) } else { 40.0 };
     let axes = UnitLabels::of_axes(scene.units());
     let arrows = Axis::new("forces, as arrows").unit(axes.force);
@@ -284,7 +285,7 @@ fn forces(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Panel {
     } else {
         let axis = Axis::new("contact pressure p, as an area").unit(axes.pressure).including(&[0.0]);
         let panel = Panel::new(along(scene), axis).room(1.6 * TEXT, footroom);
-        // An axis of arrows only where there are some.
+        // The axis of arrows is drawn only if there are arrows.
         if least < most { panel.forces(arrows) } else { panel }
     };
     panel = panel.tall(HEIGHT);
@@ -302,9 +303,9 @@ fn arrow(at: f64, force: f64, optional: bool, units: &UnitLabels) -> Arrow {
     Arrow { at: [at, 0.0], force, text: with_unit(force, &units.force), optional }
 }
 
-/// Of many forces only the largest are written, and only where there is room.
+/// Arrows for contact forces. If there are many, only the largest are labelled, and only if there is room.
 fn contact_arrows(forces: &[PointForce], units: &UnitLabels) -> Vec<Arrow> {
-    /// More than this are many.
+    /// Largest number of labelled forces.
     const CROWD: usize = 12;
     let mut by_size: Vec<usize> = (0..forces.len()).collect();
     by_size.sort_by(|&i, &j| forces[j].force.abs().total_cmp(&forces[i].force.abs()));

@@ -1,4 +1,4 @@
-//! A sweep as a figure: places of contact, forces and extremes over the number that is varied, with the events.
+//! Figure of a sweep: contact positions, forces and extremes over the varied number, with the events.
 
 use super::PlotError;
 use super::axis::Axis;
@@ -12,28 +12,29 @@ use crate::state::{Contact, ContactState, Regime};
 use crate::sweep::Event;
 use crate::text::significant;
 
-/// Digits of a value in words.
+/// Digits of a value in text.
 const DIGITS: usize = 5;
-/// Up to so many events have their values beside their numbers, with fewer digits.
+/// Up to this many events have their values beside their numbers, with fewer digits.
 const FEW: usize = 6;
 const FEW_DIGITS: usize = 3;
-/// Of more events only the lines are drawn, without numbers and words, which would take more room than the panels.
+/// If there are more events than this, only their lines are drawn. Numbers and descriptions would need more room than the panels.
 const MOST_NAMED: usize = 16;
-/// Contacts of neighbouring rows that are nearer to each other than this share of the beam are one that moves.
+/// Contacts of neighbouring rows closer together than this share of the beam are one moving contact.
 const NEAR: f64 = 0.02;
 
-/// Forces of so many supports are drawn: more lines cannot be told apart (*tuned* by eye).
+/// Number of supports whose forces are drawn: more lines cannot be distinguished (*tuned* by eye).
 const MOST_SUPPORTS: usize = 4;
 
 /// Room above the data of a panel \[drawing units\].
 const HEADROOM: f64 = 30.0;
 
-/// The value of the number that is varied, with its answer.
+/// A value of the varied number with its answer.
 type Row<'a> = (f64, &'a ContactState);
 
-/// Where the beam touches, forces, largest deflection and moments over the value of the number that is varied. An event is a dotted
-/// line with a number; below the panels stands what happens there. An empty `title` is that of the scene with the number that is
-/// varied.
+/// Draws contact positions, forces, largest deflection and moments over the varied number.
+///
+/// An event is a dotted line with a number; its description is below the panels. If `title` is empty, the title consists of the title
+/// of the scene and the varied number.
 ///
 /// # Errors
 ///
@@ -86,18 +87,18 @@ pub fn sweep(
     Figure::new(title, description(quantity, rows, events), panels).notes(notes.collect()).svg()
 }
 
-/// A number of each answer over the value.
+/// A number of each answer over the varied number.
 fn series(rows: &[Row<'_>], of: impl Fn(&ContactState) -> f64) -> Vec<Place> {
     rows.iter().map(|(x, state)| [*x, of(state)]).collect()
 }
 
-/// The forces of the first supports, and that of contact.
+/// The reactions of the first supports and the total contact force.
 fn forces(scene: &Scene, rows: &[Row<'_>], mut panel: Panel) -> Panel {
     let supports = rows.first().map_or(0, |(_, state)| state.supports.len());
     for i in 0..supports.min(MOST_SUPPORTS) {
         let place = scene.beam().supports_as_given().get(i).map(|support| support.at);
         let of = |state: &ContactState| state.supports.get(i).map_or(0.0, |support| support.force);
-        // Vermillion, the second colour, is that of contact.
+        // Vermillion, the second colour, is used for contact.
         let style = line(if i == 0 { 0 } else { i + 1 });
         let name = format!("support {}", i + 1);
         let name = place.map_or(name, |x| format!("support at {}", significant(x, FEW_DIGITS)));
@@ -118,7 +119,7 @@ fn line(i: usize) -> Style {
     Style { dash: Some(Dash::Solid), marker: None, ..Style::of_series(i) }
 }
 
-/// What a number is, in words, and its unit; empty where its path says it.
+/// The varied number in words, and its unit; empty if its path is clear enough.
 fn name(quantity: Quantity, scene: &Scene) -> (&'static str, Option<String>) {
     let UnitLabels { length, force, pressure, moment, stiffness } = UnitLabels::of_axes(scene.units());
     match quantity {
@@ -163,7 +164,7 @@ fn numbered(events: &[Event]) -> Vec<(f64, String)> {
     lines
 }
 
-/// Where each regime holds, if there are several.
+/// The interval of each regime, if there are several.
 fn regimes(rows: &[Row<'_>], events: &[Event]) -> Vec<([f64; 2], String)> {
     let mut found: Vec<([f64; 2], Regime)> = Vec::new();
     for row in rows.iter() {
@@ -192,7 +193,7 @@ fn events_between(events: &[Event], a: f64, b: f64) -> impl Iterator<Item = f64>
     events.iter().map(|event| event.value).filter(move |value| (a.min(b)..=a.max(b)).contains(value))
 }
 
-/// Where the beam touches: lines for points, and bands for zones; with the place of a load or support that moves.
+/// The contact positions, as lines for points and bands for zones, with the position of a moving load or support.
 fn map(scene: &Scene, quantity: Quantity, rows: &[Row<'_>], events: &[Event], panel: Panel) -> Panel {
     let mut panel = Panel { y: panel.y.including(&[0.0, scene.beam().length()]), ..panel };
     let ends = [rows.first(), rows.last()].map(|row| row.map_or(0.0, |row| row.0));
@@ -201,7 +202,7 @@ fn map(scene: &Scene, quantity: Quantity, rows: &[Row<'_>], events: &[Event], pa
         let name = if matches!(quantity, Quantity::PointAt(_)) { "load" } else { "support" };
         panel = panel.with(Layer::named(ends.map(|x| [x, x]).into(), style, name));
     } else {
-        // So that the panel has something to show where nothing touches.
+        // A line that gives the panel a range if the beam touches nowhere.
         panel = panel.with(Layer::line(ends.map(|x| [x, 0.0]).into(), Style::solid(Color::GRID)));
     }
     for stretch in rows.chunk_by(|a, b| are_alike(a.1, b.1)) {
@@ -216,20 +217,20 @@ fn map(scene: &Scene, quantity: Quantity, rows: &[Row<'_>], events: &[Event], pa
     panel
 }
 
-/// Whether two answers have the same number of contacts of the same kinds, so that each can be followed.
+/// Whether two answers have the same number of contacts of the same kinds, so that each contact can be followed.
 fn are_alike(a: &ContactState, b: &ContactState) -> bool {
     let is_zone = |contact: &Contact| contact.from < contact.to;
     a.contacts.len() == b.contacts.len() && a.contacts.iter().zip(&b.contacts).all(|(a, b)| is_zone(a) == is_zone(b))
 }
 
-/// A contact that moves: its two ends over the value.
+/// A moving contact: its two ends over the varied number.
 fn moving(from: Vec<Place>, to: Vec<Place>) -> Layer {
     let color = Color::VERMILLION;
     if from == to { Layer::line(from, Style::solid(color)) } else { Layer::Band { from, to, color } }
 }
 
-/// Between neighbouring rows whose contacts differ: a contact leads to those near it in the other row. One that has none there
-/// ends, or begins, at the event between the rows.
+/// Joins neighbouring rows whose contacts differ. A contact is joined to the contacts near it in the other row. A contact without one
+/// there ends or begins at the event between the rows.
 fn joined(a: Row<'_>, b: Row<'_>, events: &[Event], near: f64) -> Vec<Layer> {
     let are_near = |c: &Contact, d: &Contact| c.from <= d.to + near && d.from <= c.to + near;
     let between = |(x, c): (f64, &Contact), (y, d): (f64, &Contact)| {
