@@ -1,4 +1,4 @@
-//! An answer with its verdict and its time: by theory, by a method on a grid, or on the grid that an error demands.
+//! An answer with its verdict and its time: by beam theory, by a method on a given grid, or on a grid refined to a demanded error.
 
 use std::time::Instant;
 
@@ -13,31 +13,31 @@ use palkki::{Settings, Solution, Witness, left_out, solve_raw, solve_raw_near};
 use super::input::Input;
 use super::output::Failure;
 
-/// The solver of theory as it is printed: Newton's method for the free boundaries, and a search for the list of contacts.
+/// The name that is printed for the solver of theory: Newton's method for the free boundaries, and a search for the contact list.
 const FREE_BOUNDARY: &str = "free-boundary";
 
-/// What is wrong with a deflection that varies by so much.
+/// The end of the warning about a large deflection.
 const LARGE: &str = "more than a tenth of its length, and linear theory assumes small slopes";
 
-/// What is to be computed, from the arguments.
+/// The requested computation, from the arguments.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Route {
-    /// Beam theory, with an error that may be demanded.
+    /// Beam theory, with the demanded accuracy.
     Exact(Demand),
-    /// A method of the paper with a solver on a grid.
+    /// A method of the paper with a solver on a given grid.
     Discretised(Settings),
-    /// A method of the paper with a solver, on the grid that an error demands.
+    /// A method of the paper with a solver, on a grid refined to a demanded error.
     Adaptive(Request),
 }
 
-/// An answer as it is printed.
+/// An answer with the data that are printed with it.
 #[derive(Debug)]
 pub(super) struct Answer {
     /// Length of the beam.
     pub(super) length: f64,
     pub(super) method: &'static str,
     pub(super) solver: &'static str,
-    /// Intervals of the grid, if there is one.
+    /// Number of intervals of the grid, if there is one.
     pub(super) intervals: Option<usize>,
     /// Time of the solve alone.
     pub(super) seconds: f64,
@@ -50,18 +50,18 @@ pub(super) struct Answer {
 /// The grids that were tried.
 #[derive(Debug)]
 pub(super) struct Grids {
-    /// The error that was demanded, over the largest deflection.
+    /// The demanded error, over the largest deflection.
     pub(super) demanded: f64,
-    /// How it ended.
+    /// The end of the search.
     pub(super) end: End,
-    /// The grids and the time that each took to solve.
+    /// The grids, each with the time of its solve.
     pub(super) trials: Vec<(Trial, f64)>,
-    /// Time of the whole search, certificates included.
+    /// Time of the whole search, including certificates.
     pub(super) seconds: f64,
 }
 
 impl Answer {
-    /// Solves the scene.
+    /// Solves the scene by a route.
     pub(super) fn of(input: &Input, route: Route) -> Result<Self, Failure> {
         match route {
             Route::Exact(demand) => Self::exact(input, &demand),
@@ -87,7 +87,7 @@ impl Answer {
         Self { length, method: "exact", solver: FREE_BOUNDARY, intervals: None, seconds, solution, grids: None }
     }
 
-    /// The answer of a method on a grid, certified from a witness.
+    /// The answer of a method on a grid, certified from a candidate contact list.
     pub(super) fn discretised(input: &Input, settings: &Settings, witness: &Witness<'_>) -> Result<Self, Failure> {
         let start = Instant::now();
         let raw = solve_raw_near(witness, settings).map_err(|error| input.error(error))?;
@@ -95,7 +95,7 @@ impl Answer {
         Ok(Self::on_grid(input, settings, raw.judged(witness, &Demand::default()), seconds))
     }
 
-    /// The same for a comparison of all routes, which leaves out those that take too long on so fine a grid.
+    /// The same for the comparison of all methods and solvers, which leaves out solvers that need too long on so fine a grid.
     pub(super) fn compared(input: &Input, settings: &Settings, witness: &Witness<'_>) -> Result<Self, Failure> {
         let (intervals, most) = (settings.intervals, most_intervals(settings.solver));
         if intervals <= most {
@@ -135,7 +135,7 @@ impl Answer {
         Self { length, method, solver, intervals: Some(settings.intervals), seconds, solution, grids: None }
     }
 
-    /// How far the beam may be off, or what else is wrong, and what to do about it.
+    /// The error bound of the deflection, or any other flaw, and what to do about it.
     pub(super) fn reason(&self) -> String {
         let verdict = &self.solution.verdict;
         match (verdict.refusal, self.intervals, &self.grids) {
@@ -152,7 +152,7 @@ impl Answer {
         }
     }
 
-    /// What may be wrong with the scene or with the model, though there is an answer.
+    /// Warnings about the scene or the model that do not prevent an answer.
     pub(super) fn warnings(&self, input: &Input) -> Vec<String> {
         let large = self.solution.has_answer().then(|| self.solution.state.large_deflection(self.length)).flatten();
         let value = |varies| input.labels().length.value(varies);
@@ -160,7 +160,7 @@ impl Answer {
         input.warnings().iter().cloned().chain(varies).collect()
     }
 
-    /// The same of several answers.
+    /// The warnings of several answers together.
     pub(super) fn warnings_of<'a>(all: impl Iterator<Item = &'a Self>, input: &Input) -> Vec<String> {
         let large = all.filter_map(|answer| answer.solution.state.large_deflection(answer.length));
         let most = large.max_by(f64::total_cmp).map(|most| {
@@ -170,12 +170,12 @@ impl Answer {
         input.warnings().iter().cloned().chain(most).collect()
     }
 
-    /// Whether it passed our own check.
+    /// Whether the answer passed our own check.
     pub(super) fn is_certified(&self) -> bool {
         self.solution.verdict.status == Status::Certified
     }
 
-    /// The proof of the exact answer: for an answer on a grid it is the one that its bounds rest on.
+    /// The proof of the exact answer. For an answer on a grid it is the proof of the theory's answer, on which its bounds rest.
     pub(super) fn proof(&self, input: &Input) -> Result<proof::Fields, Failure> {
         let proven = match &self.solution.exact {
             Some(exact) => proof::prove(&input.scene, exact),

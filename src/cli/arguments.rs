@@ -1,4 +1,4 @@
-//! The arguments, and the help that explains them.
+//! The command-line arguments and their help texts.
 
 use std::path::PathBuf;
 
@@ -13,9 +13,9 @@ use super::json::MOST_INTERVALS_WITH_NODES;
 use super::numbers::{depth_tolerance, digits, intervals, number, steps, tolerance};
 pub(super) use super::values::{Form, Format, GridMethod, LoadArgument, MethodArgument, SolverArgument};
 
-/// Intervals of a grid that nobody asked for: those of the paper's example.
+/// Default number of intervals of a grid: as in the paper's example.
 pub(super) const DEFAULT_INTERVALS: usize = 30;
-/// The solver that always ends, at an optimum.
+/// Default solver: it always ends, at an optimum.
 pub(super) const DEFAULT_SOLVER: Solver = Solver::ActiveSet;
 
 /// A beam on an uneven foundation: where does it touch, and how hard?
@@ -187,7 +187,7 @@ pub(super) struct SceneArgument {
     /// Scene file: beam, supports, loads and foundation, or any elastic body, in TOML; `-` is standard input
     #[arg(value_name = "SCENE")]
     pub(super) path: PathBuf,
-    // JSON has every digit.
+    // JSON has all digits.
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = digits, default_value_t = DIGITS, help = digits_help())]
     pub(super) digits: usize,
 }
@@ -206,7 +206,7 @@ pub(super) struct Solve {
     /// How the beam is modelled
     #[arg(short, long, value_name = "METHOD", value_enum, default_value_t = MethodArgument::Exact)]
     pub(super) method: MethodArgument,
-    // Options that only some methods take have no default that clap could print.
+    // Options that only some methods accept have no default that clap could print.
     #[arg(short, long, value_name = "SOLVER", value_enum, help = solver_help())]
     pub(super) solver: Option<SolverArgument>,
     #[arg(short = 'n', long, value_name = "N", allow_hyphen_values = true, value_parser = intervals, help = intervals_help())]
@@ -349,5 +349,5 @@ pub(super) struct Sweep {
     pub(super) plot: Option<PathBuf>,
 }
 
-/// The finest grid whose nodes are printed, written or drawn: their text takes some hundred megabytes for each million.
+/// The finest grid whose nodes are printed, written or drawn: their text needs some hundred megabytes per million intervals.
 pub(super) const MOST_INTERVALS_WRITTEN: usize = 3_000_000;

@@ -1,4 +1,4 @@
-//! `solve`, `compare` and `certify` of any elastic body.
+//! The commands `solve`, `compare` and `certify` for an elastic body.
 
 use std::time::Instant;
 
@@ -23,7 +23,7 @@ use super::output::Failure;
 use super::table::{Row, list, table};
 use super::text::{BRACKET, heading};
 
-/// How a body was solved by one solver.
+/// The result of one solver for a body.
 #[derive(Debug, Serialize)]
 struct Route {
     method: &'static str,
@@ -36,14 +36,14 @@ struct Route {
     iterations: usize,
     seconds: f64,
     energy: f64,
-    /// What the largest error of a clearance is at least and at most.
+    /// Lower and upper bound of the largest clearance error.
     off: [f64; 2],
     certificate: Option<Certificate>,
     #[serde(skip)]
     answer: Answer,
 }
 
-/// What is proven; `error` is that of the clearances, and `force_error` that of the contact forces.
+/// The proven bounds; `error` is the bound for the clearances, and `force_error` the bound for the contact forces.
 #[derive(Debug, Clone, Copy, Serialize)]
 struct Certificate {
     energy_lower: f64,
@@ -68,7 +68,7 @@ impl Certificate {
 
 type Proven = Result<Proof, Unproven>;
 
-/// A point that is proven to be the optimum nearly, with the free variables of an answer of the active set as witness.
+/// A point that is proven to be close to the optimum. The candidate contact list consists of the free variables of an active-set answer.
 fn proven(body: &Body, answer: &Answer) -> Proven {
     prove(body, answer.x.iter().map(|x| 0.0 < *x))
 }
@@ -100,7 +100,7 @@ impl Route {
     }
 }
 
-/// `solve`.
+/// The command `solve`.
 pub(super) fn solve<'a>(input: &Input<Body>, arguments: &'a Solve) -> Result<Outcome<'a>, Failure> {
     #[derive(Debug, Serialize)]
     struct SolveObject<'a> {
@@ -140,7 +140,7 @@ pub(super) fn solve<'a>(input: &Input<Body>, arguments: &'a Solve) -> Result<Out
             print(&SolveObject { scene: input.title(), route: &route, nodes })
         },
     );
-    // As a file of gaps has it where there is no ground, and an answer that is brought.
+    // In the format of a gap file without foundation and of an answer for `certify`.
     let clear = |h: f64| if h.is_infinite() { "inf".to_owned() } else { field(h) };
     let rows = (1..).zip(clearance.iter().zip(&contact_force));
     let rows = rows.map(|(i, (h, p))| format!("{i},{},{}\n", clear(*h), field(*p)));
@@ -150,7 +150,7 @@ pub(super) fn solve<'a>(input: &Input<Body>, arguments: &'a Solve) -> Result<Out
     Ok(Outcome { text: shown, files: vec![written], is_certified: route.status == Status::Certified })
 }
 
-/// The answer of `solve`, for a person.
+/// The answer of `solve` as text.
 fn text(input: &Input<Body>, route: &Route, nodes: bool) -> String {
     let labels = input.labels();
     let [clearance, contact_force] = input.scene.clearance_and_force(&route.answer);
@@ -183,7 +183,7 @@ fn text(input: &Input<Body>, route: &Route, nodes: bool) -> String {
     text
 }
 
-/// What is guaranteed, rounded so that it stays so.
+/// The error bounds, rounded outwards so that they remain valid.
 fn bounds(input: &Input<Body>, certificate: &Certificate, least: Option<f64>) -> String {
     let labels = input.labels();
     let Certificate { energy_lower, energy_upper, error, force_error, .. } = *certificate;
@@ -196,7 +196,7 @@ fn bounds(input: &Input<Body>, certificate: &Certificate, least: Option<f64>) ->
     table("Error bounds", &["", BRACKET[0], BRACKET[1]], &rows)
 }
 
-/// `compare`: every solver.
+/// The command `compare`: every solver.
 pub(super) fn compare<'a>(input: &Input<Body>, common: &Common) -> Outcome<'a> {
     let body = &input.scene;
     let proof = proven(body, &body.run(Solver::ActiveSet, 0.0));
@@ -226,7 +226,7 @@ pub(super) fn compare<'a>(input: &Input<Body>, common: &Common) -> Outcome<'a> {
     Outcome { text: common.shown(as_text, as_json), files: Vec::new(), is_certified: 0 < certified }
 }
 
-/// A condition that is violated by more than may be certified, where it is worst.
+/// A condition that is violated by more than a certified answer may, at its worst position.
 #[derive(Debug, Serialize)]
 struct Violation {
     condition: ViolationKind,
@@ -234,7 +234,7 @@ struct Violation {
     amount: f64,
 }
 
-/// `certify`: how far what a program brought is off.
+/// The command `certify`: error bounds for clearances or forces from elsewhere.
 pub(super) fn certify<'a>(input: &Input<Body>, arguments: &Certify) -> Result<Outcome<'a>, Failure> {
     if arguments.load == LoadArgument::Nodal {
         return Err(Failure::refused("certify", "--load belongs to a beam; a [body] has no use for it"));
@@ -278,7 +278,7 @@ pub(super) fn certify<'a>(input: &Input<Body>, arguments: &Certify) -> Result<Ou
     Ok(Outcome { text, files: Vec::new(), is_certified: verdict.status == Status::Certified })
 }
 
-/// Conditions that clearances violate, and forces where they were brought, by more than an answer that is certified may.
+/// Conditions violated by more than a certified answer may: by the clearances, and by the forces if forces were given.
 fn violations(brought: &Brought, [clearance, force]: &[Vec<f64>; 2], sizes: Sizes) -> Vec<Violation> {
     let worst = |condition, size: f64, amounts: &mut dyn Iterator<Item = f64>| {
         let (at, amount) = (1..).zip(amounts).max_by(|a, b| a.1.total_cmp(&b.1))?;

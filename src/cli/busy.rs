@@ -1,14 +1,14 @@
-//! What is under way: one line on standard error, if that is a terminal and the work takes longer than two seconds.
+//! A notice of long work: one line on standard error if it is a terminal and the work needs more than two seconds.
 
 use std::io::{self, IsTerminal as _, Write};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::thread;
 use std::time::Duration;
 
-/// The line is written after this time.
+/// Time after which the line is written.
 const DELAY: Duration = Duration::from_secs(2);
 
-/// Does `work`; the line has its name, `what`.
+/// Does `work`. The notice names it `what`.
 pub(super) fn telling<T>(what: String, work: impl FnOnce() -> T) -> T {
     if !io::stderr().is_terminal() {
         return work();
@@ -17,12 +17,12 @@ pub(super) fn telling<T>(what: String, work: impl FnOnce() -> T) -> T {
     let teller = thread::Builder::new().spawn(move || tell(&ended, DELAY, &what, &mut io::stderr()));
     let done = work();
     drop(end);
-    // The answer does not depend on whether the line can be written, or the thread started.
+    // The answer does not depend on whether the thread could start or the line could be written.
     let _ = teller.map(thread::JoinHandle::join);
     done
 }
 
-/// Writes the line, unless the work ends before.
+/// Writes the line unless the work ends before.
 fn tell(ended: &Receiver<()>, delay: Duration, what: &str, terminal: &mut dyn Write) {
     if ended.recv_timeout(delay) == Err(RecvTimeoutError::Timeout) {
         let _ = writeln!(terminal, "palkki: {what} takes more than {} seconds", DELAY.as_secs());
@@ -33,7 +33,7 @@ fn tell(ended: &Receiver<()>, delay: Duration, what: &str, terminal: &mut dyn Wr
 mod tests {
     use super::*;
 
-    /// What is written of work that has or has not ended after the given time.
+    /// The notice of work that has or has not ended after the given time.
     fn written(has_ended: bool, delay: Duration) -> String {
         let (end, ended) = mpsc::channel();
         let end = (!has_ended).then_some(end);

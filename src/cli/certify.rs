@@ -1,4 +1,4 @@
-//! `certify`: how good are contact forces that some program computed?
+//! The command `certify`: error bounds for contact forces that any program computed.
 
 use palkki::Witness;
 use palkki::certificate::{Certificate, ContactLoad, Judged, Violation, ViolationKind, violations_at_nodes};
@@ -14,20 +14,20 @@ use super::output::Failure;
 use super::table::{Row, list, table};
 use super::text::{bounds, heading};
 
-/// What is known of some contact forces.
+/// The findings on given contact forces.
 #[derive(Debug)]
 pub(super) struct Finding {
     /// The forces.
     pub(super) load: ContactLoad,
-    /// Equal intervals at whose nodes the load was lumped, if it was.
+    /// Number of equal intervals at whose nodes the load was lumped, if it was.
     pub(super) intervals: Option<usize>,
-    /// Equal intervals at whose nodes the load may have been lumped, though `--load` does not say so.
+    /// Number of equal intervals at whose nodes the load may have been lumped although `--load` does not say so.
     pub(super) perhaps: Option<usize>,
     /// The bounds.
     pub(super) certificate: Certificate,
-    /// The verdict from them.
+    /// The verdict from these bounds.
     pub(super) verdict: Verdict,
-    /// What they violate, the worst first.
+    /// The violated conditions, the worst first.
     pub(super) violations: Vec<Violation>,
 }
 
@@ -49,7 +49,7 @@ impl Finding {
             let verdict = Verdict::of_forces(certificate.clone());
             return Ok(Self { load: lumped.load, intervals, perhaps: None, certificate, verdict, violations });
         }
-        // Reading the forces has refused the same ones before.
+        // Reading the forces has already rejected invalid ones.
         let load = ContactLoad::new(scene.beam().length(), rows).map_err(|_| {
             let name = forces.display().to_string();
             Failure::File(Box::new(FileError::whole(&name, Problem::ForcesWithoutHeader)))
@@ -63,7 +63,7 @@ impl Finding {
     }
 }
 
-/// What was found, for a person.
+/// The findings as text.
 pub(super) fn text(input: &Input, finding: &Finding) -> String {
     let labels = input.labels();
     let mut text = heading(finding.verdict.status, &finding.verdict.to_string(), input);

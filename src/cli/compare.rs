@@ -1,4 +1,4 @@
-//! `compare`: every method with every solver, set against two references.
+//! The command `compare`: every method with every solver, compared with two references.
 
 use palkki::route::{Method, Solver, Status};
 use palkki::state::ContactState;
@@ -19,34 +19,34 @@ pub(super) struct Comparison {
     pub(super) routes: Vec<Compared>,
 }
 
-/// An answer and how far it is from the references that it has.
+/// An answer and its differences from the references that exist.
 #[derive(Debug)]
 pub(super) struct Compared {
     pub(super) answer: Answer,
-    /// Against the active-set answer for the same quadratic program: what the solver is responsible for.
+    /// Difference from the active-set answer for the same quadratic program: the solver error.
     pub(super) solver_error: Option<Difference>,
-    /// Against beam theory: what the grid is responsible for, too.
+    /// Difference from beam theory: solver error and grid error together.
     pub(super) model_error: Option<Difference>,
 }
 
-/// Relative differences from a reference, infinite where the reference is zero and the answer is not.
+/// Relative differences from a reference; infinite if the reference is zero and the answer is not.
 #[derive(Debug, Clone, Serialize)]
 pub(super) struct Difference {
-    /// Whose answer the reference is.
+    /// Method and solver of the reference.
     pub(super) reference: String,
-    /// The largest of those of the forces of supports, relative to the largest of these.
+    /// The largest difference of the reactions, relative to the largest reaction.
     pub(super) reaction: f64,
-    /// Of `J(v)`.
+    /// The difference of `J(v)`.
     pub(super) energy: f64,
-    /// Of the largest deflection.
+    /// The difference of the largest deflection.
     pub(super) deflection: f64,
 }
 
 impl Comparison {
-    /// Solves the scene by every route. Beam theory comes first, if it has an answer.
+    /// Solves the scene by beam theory and by every method with every solver. Beam theory comes first, if it has an answer.
     pub(super) fn of(input: &Input, intervals: usize) -> Result<Self, Failure> {
         let exact = Answer::of(input, Route::Exact(Demand::default())).ok();
-        // One witness for all of them.
+        // One candidate contact list for all answers.
         let witness = match exact.as_ref().and_then(|answer| answer.solution.exact.as_deref()) {
             Some(exact) => Witness::known(&input.scene, exact),
             None => Witness::of(&input.scene),
@@ -61,7 +61,7 @@ impl Comparison {
         let differences: Vec<_> = answers
             .iter()
             .map(|(method, answer)| {
-                // Where there is no answer there is nothing to compare.
+                // Without an answer there is nothing to compare.
                 let exact = exact.as_ref().filter(|_| answer.solution.has_answer());
                 let reference = reference(&answers, *method).filter(|_| answer.solution.has_answer());
                 let solver_error = reference.map(|reference| Difference::between(answer, reference));
@@ -77,21 +77,21 @@ impl Comparison {
         Ok(Self { intervals, routes: exact.into_iter().chain(compared).collect() })
     }
 
-    /// How many answers passed our own check.
+    /// The number of answers that passed our own check.
     fn certified(&self) -> usize {
         self.routes.iter().filter(|route| route.answer.is_certified()).count()
     }
 
-    /// Whether one of them did.
+    /// Whether at least one answer passed.
     pub(super) fn is_certified(&self) -> bool {
         0 < self.certified()
     }
 }
 
-/// The answer that the solver error of `method` is measured by, if it solves its discrete problem.
+/// The answer from which the solver error of `method` is measured, if it solves its discrete problem.
 ///
-/// Displacement and force method have the same optimum: both are measured by the force method, whose active-set answer
-/// does not lose digits on fine grids.
+/// Displacement and force method have the same optimum. Both are compared with the force method, whose active-set answer loses no
+/// digits on fine grids.
 fn reference(answers: &[(Method, Answer)], method: Method) -> Option<&Answer> {
     let method = match method {
         Method::Complementarity => Method::Complementarity,
@@ -115,13 +115,13 @@ impl Difference {
         }
     }
 
-    /// The worst of the three; NaN if one of them is.
+    /// The largest of the three; NaN if one of them is.
     pub(super) fn worst(&self) -> f64 {
         larger(larger(self.reaction, self.energy), self.deflection)
     }
 }
 
-/// The larger magnitude; NaN, which an answer that went wrong may contain, is never lost.
+/// The larger magnitude. NaN, which a failed answer may contain, is never lost.
 fn larger(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() { f64::NAN } else { a.abs().max(b.abs()) }
 }
@@ -130,7 +130,7 @@ fn relative(difference: f64, size: f64) -> f64 {
     if difference == 0.0 { 0.0 } else { difference.abs() / size.abs() }
 }
 
-/// The routes, one a row.
+/// The answers as text, one per row.
 pub(super) fn text(input: &Input, comparison: &Comparison) -> String {
     let labels = input.labels();
     let error =
@@ -187,12 +187,12 @@ pub(super) fn text(input: &Input, comparison: &Comparison) -> String {
     text
 }
 
-/// The force of the left support, or else of the first one.
+/// The reaction of the first support.
 fn first_reaction(answer: &Answer, labels: &Labels) -> String {
     answer.solution.state.supports.first().map_or_else(|| "–".to_owned(), |support| labels.number(support.force))
 }
 
-/// Why routes were not tried, a line each; empty if all were.
+/// The reasons why routes were not tried, one per line; empty if all were.
 fn not_tried(comparison: &Comparison) -> String {
     let lines: Vec<(String, String)> = comparison
         .routes

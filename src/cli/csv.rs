@@ -1,4 +1,4 @@
-//! `--csv`: the values along the beam.
+//! The CSV file of `--csv`: values along the beam.
 
 use palkki::scene::Scene;
 use palkki::state::Nodes;
@@ -6,19 +6,19 @@ use palkki::theory::{Exact, Sample};
 
 use super::answer::Answer;
 
-/// Columns of a discretised answer: place, deflection (positive downwards), clearance to the foundation, contact force (a
-/// force at the node, not a density) and bending moment (positive with the underside in tension).
+/// Columns of a discretised answer: position, deflection (positive downwards), clearance above the foundation, contact force (a force
+/// at the node, not a density) and bending moment (positive with the underside in tension).
 const NODES: &str = "x,deflection,clearance,contact_force,moment";
 
-/// Columns of the exact answer. Pressure is a density, without the concentrated contact forces: they are the jumps of the
-/// shear force. Where something jumps, a place has two rows, its left and its right side.
+/// Columns of the exact answer. Pressure is a density and does not contain the concentrated contact forces, which are the jumps of
+/// the shear force. Where a value jumps, a position has two rows, for its left and its right side.
 const SAMPLES: &str = "x,deflection,slope,clearance,pressure,moment,shear";
 
-/// Equal intervals between samples of the exact solution: drawn a hand wide they show no corners.
+/// Number of equal intervals between samples of the exact solution: drawn the width of a hand, they show no corners.
 const INTERVALS: u32 = 240;
 
-/// One row for each interior node, or for each sample of the exact solution. Numbers read back as the same `f64`; the
-/// clearance to no foundation is left empty.
+/// One row for each interior node, or for each sample of the exact solution. Numbers read back as the same `f64`. The clearance is
+/// empty where there is no foundation.
 pub(super) fn table(scene: &Scene, answer: &Answer) -> String {
     match (&answer.solution.exact, answer.nodes()) {
         (Some(exact), _) => of_samples(scene, exact),
@@ -42,7 +42,7 @@ fn rows<const COLUMNS: usize>(header: &str, rows: impl Iterator<Item = [f64; COL
     std::iter::once(format!("{header}\n")).chain(rows).collect()
 }
 
-/// The shortest text that reads back as the same number; nothing for one that is not finite.
+/// The shortest text that reads back as the same number; empty for a number that is not finite.
 pub(super) fn field(value: f64) -> String {
     if value.is_finite() { format!("{value:?}") } else { String::new() }
 }

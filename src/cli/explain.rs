@@ -1,4 +1,4 @@
-//! `explain`: the equations of the exact answer, with their numbers, as text or as Markdown with formulas.
+//! The command `explain`: the equations of the exact answer with their numbers, as text or as Markdown with formulas.
 
 mod chain;
 
@@ -34,10 +34,10 @@ pub(super) enum Explained {
     Markdown,
 }
 
-/// What is no larger than this share of the largest part beside it is rounding.
+/// Numbers up to this share of the largest related number are treated as rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// The formula of three moments, and those of one span at its right and at its left end.
+/// The three-moment equation, and the equations of one span at its right end and at its left end.
 const FORMULAS: [[&str; 2]; 3] = [
     [
         "La M(left) + 2 (La + Lb) M(i) + Lb M(right) = 6 EI [(v(i) - v(left))/La - (v(right) - v(i))/Lb] - Sa - Sb",
@@ -53,7 +53,7 @@ const FORMULAS: [[&str; 2]; 3] = [
     ],
 ];
 
-/// The same of a beam that changes between its nodes.
+/// The same for a beam whose stiffness changes between its nodes.
 const CHANGING: [[&str; 2]; 3] = [
     [
         "Ba M(left) + (Ba,right + Bb,left) M(i) + Bb M(right) = 6 EI [(v(i) - v(left))/La - (v(right) - v(i))/Lb] - Sa - Sb",
@@ -97,14 +97,14 @@ pub(super) fn text(input: &Input, answer: &Answer, form: Explained) -> String {
         + &page.forces()
 }
 
-/// An explanation that is written.
+/// An explanation to be written.
 struct Page {
     found: Explanation,
     labels: Labels,
     form: Explained,
-    /// What moments are rounded beside.
+    /// The moment with which moments are compared to detect rounding.
     moment: f64,
-    /// Whether the beam changes along its length.
+    /// Whether the stiffness of the beam changes along its length.
     changes: bool,
 }
 
@@ -117,7 +117,7 @@ impl Page {
         self.labels.number(value)
     }
 
-    /// A number beside another one: what is left of rounding is nothing.
+    /// A number, with 0 in place of rounding compared with `size`.
     fn beside(&self, value: f64, size: f64) -> String {
         self.number(if value.abs() <= ROUNDING * size { 0.0 } else { value })
     }
@@ -262,7 +262,7 @@ impl Page {
             + "\nThe force is V right - V left + P.\n"
     }
 
-    /// An equation with its formula, its numbers, and what the two sides differ by.
+    /// An equation with its formula, its numbers, and the difference between its two sides.
     fn equation(&self, equation: &Equation) -> String {
         let [plain, formula] = (if self.changes { CHANGING } else { FORMULAS })[match equation.spans {
             [Some(_), Some(_)] => 0,
@@ -285,7 +285,7 @@ impl Page {
         }
     }
 
-    /// Moments with their factors, what deflections and load contribute, and their sum.
+    /// The moments with their factors, the contributions of deflections and load, and their sum.
     fn sum(&self, equation: &Equation) -> String {
         let terms = terms(equation, &self.found.nodes, self.moment);
         let terms: Vec<String> =
@@ -298,7 +298,7 @@ impl Page {
     }
 }
 
-/// The moments of an equation with their factors; `size` is what moments are rounded beside.
+/// The moments of an equation with their factors; `size` is the moment with which they are compared to detect rounding.
 fn terms(equation: &Equation, nodes: &[Node], size: f64) -> Vec<(String, f64)> {
     let mut found: Vec<(String, f64)> = Vec::new();
     for &(node, right, factor) in &equation.terms {
@@ -311,19 +311,19 @@ fn terms(equation: &Equation, nodes: &[Node], size: f64) -> Vec<(String, f64)> {
     found
 }
 
-/// The name of a moment: a node at which both sides have one has no sides.
+/// The name of a moment; it has no sign for the side if both sides of the node have the same moment.
 fn name(nodes: &[Node], node: usize, right: bool, size: f64) -> String {
     let [left, behind] = nodes[node].moments;
     let is_one = (left - behind).abs() <= ROUNDING * size;
     format!("M{}{}", node + 1, if is_one { "" } else { ["-", "+"][usize::from(right)] })
 }
 
-/// Spans are a, b, c, …, then 27, 28, ….
+/// The name of a span: a, b, c, …, then 27, 28, ….
 fn letter(i: usize) -> String {
     u8::try_from(i).ok().filter(|i| *i < 26).map_or_else(|| (i + 1).to_string(), |i| char::from(b'a' + i).to_string())
 }
 
-/// What supports that give exert, with the numbers.
+/// The laws of elastic supports, with their numbers.
 fn laws(all: &[Law], labels: &Labels, form: Explained) -> String {
     if all.is_empty() {
         return String::new();
@@ -354,7 +354,7 @@ fn laws(all: &[Law], labels: &Labels, form: Explained) -> String {
     text
 }
 
-/// A table in one of the two forms.
+/// A table in one of the two formats.
 fn tabled(form: Explained, title: &str, header: &[&str], rows: &[Row]) -> String {
     match form {
         Explained::Text => table(title, header, rows),

@@ -1,4 +1,4 @@
-//! `export`: the quadratic program of a beam on a grid, for other solvers; `certify` takes their answer.
+//! The command `export`: the quadratic program of a beam on a grid, for other solvers, whose answer `certify` can read.
 
 use std::fmt::Write as _;
 use std::path::PathBuf;
@@ -13,7 +13,7 @@ use super::input::Input;
 use super::output::Failure;
 use super::qps::qps;
 
-/// Most unknowns of a full matrix as text: 4000 take some 200 MB.
+/// Most unknowns of a full matrix as text: 4000 need some 200 MB.
 const LARGEST_DENSE: usize = 4000;
 
 impl Export {
@@ -27,13 +27,13 @@ impl Export {
         }
     }
 
-    /// The files.
+    /// The paths of the files.
     pub(super) fn places(&self) -> Vec<Option<PathBuf>> {
         self.names().iter().map(|name| Some(self.to.join(name))).collect()
     }
 }
 
-/// The program of a beam as files.
+/// Writes the program of a beam as files.
 pub(super) fn export<'a>(
     input: &Input,
     arguments: &Export,
@@ -53,7 +53,7 @@ pub(super) fn export<'a>(
         match method.is_free_in_contact() {
             true if is_stop => format!("force{of} at x = {place:?}"),
             true => format!("contact force at x = {place:?}"),
-            // What the program has as clearance is that of a spring that is not pressed.
+            // For an elastic support or foundation, the program's variable is the clearance of the unloaded spring.
             false if is_stop => {
                 format!("clearance of the beam above the support at x = {place:?} plus {give:?} times its force")
             }
@@ -96,7 +96,8 @@ pub(super) fn export<'a>(
     Ok(Outcome { text: shown, files, is_certified: true })
 }
 
-/// A scene with a body, its matrix, and its gaps or loads: `b` is the product of neither with the matrix, and stays as it is.
+/// A scene file with a body, its matrix, and its gaps or loads. Gaps and loads are `−b`. For finite differences, whose gradient is a
+/// pressure, matrix and loads are multiplied by the spacing.
 fn dense(input: &Input, method: Method, discrete: &Discrete, qp: &dyn Qp) -> Result<[String; 3], Failure> {
     let n = qp.dimension();
     if let Some(why) = qp.without_matrix() {
@@ -133,7 +134,7 @@ fn dense(input: &Input, method: Method, discrete: &Discrete, qp: &dyn Qp) -> Res
     Ok([scene, matrix_market([n, n], "symmetric", &entries.collect::<Vec<_>>()), linear])
 }
 
-/// `P`, `q`, `A` and the bounds: minimise `½ xᵀ P x + qᵀ x` subject to `lower ≤ A x ≤ upper`.
+/// The files of `P`, `q`, `A` and the bounds: minimise `½ xᵀ P x + qᵀ x` subject to `lower ≤ A x ≤ upper`.
 fn sparse(form: &SparseForm) -> Vec<String> {
     let m = form.linear.len();
     let n = m - form.signed;
@@ -163,7 +164,7 @@ fn matrix_market([rows, columns]: [usize; 2], kind: &str, entries: &[(usize, usi
     text
 }
 
-/// Rows that begin with their number.
+/// CSV rows that begin with their number.
 fn csv<const N: usize>(header: &str, rows: impl Iterator<Item = [String; N]>) -> String {
     (1..).zip(rows).fold(format!("{header}\n"), |text, (i, row)| text + &format!("{i},{}\n", row.join(",")))
 }

@@ -1,4 +1,4 @@
-//! `--csv` and `--plot`: regular files whole or not at all, streams and devices directly.
+//! Output files: regular files completely or not at all, streams and devices directly.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write as _};
@@ -7,10 +7,10 @@ use std::path::{Path, PathBuf};
 use super::held::Held;
 use super::output::{self, Failure, PlaceProblem, Stream};
 
-/// Where a text goes.
+/// The destination of a text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum Place {
-    /// A regular file, or none yet: a new file is moved there when it is complete.
+    /// A regular file, existing or new: a complete file is moved to this path.
     File(PathBuf),
     /// A device or a named pipe: written directly.
     Device(PathBuf),
@@ -18,9 +18,9 @@ enum Place {
     Stream(Stream),
 }
 
-/// Files that are written beside their places first, and moved there when all of them are complete.
+/// Files that are first written next to their destinations, and moved there when all of them are complete.
 ///
-/// Whatever has not been moved when this is dropped is removed again; signals wait for that.
+/// Dropping this value removes all files that have not been moved. Until then, signals wait.
 #[derive(Debug, Default)]
 pub(super) struct Files {
     places: Vec<(PathBuf, Place)>,
@@ -29,14 +29,14 @@ pub(super) struct Files {
     held: Option<Held>,
 }
 
-/// A file that is complete beside its place.
+/// A temporary file next to its destination.
 #[derive(Debug)]
 struct Staged {
     temporary: PathBuf,
     place: PathBuf,
 }
 
-/// A text that is written to its place when all others are complete.
+/// A text that is written directly when all files are complete.
 #[derive(Debug)]
 struct Direct {
     place: Place,
@@ -44,7 +44,7 @@ struct Direct {
 }
 
 impl Files {
-    /// Checks that a file can be put at `path`, as far as that can be told before.
+    /// Checks, as far as possible in advance, that a file can be written at `path`.
     pub(super) fn reserve(&mut self, path: &Path, read: &[PathBuf]) -> Result<(), Failure> {
         let place = place(path)?;
         let not = |problem| Err(Failure::NoPlace { path: path.to_owned(), problem });
@@ -56,7 +56,7 @@ impl Files {
                 return not(PlaceProblem::TheInput);
             }
             if file.exists() {
-                // A file that its owner has locked is not replaced by another one.
+                // A file that its owner has write-protected is not replaced by another one.
                 open(file).map_err(|error| Failure::Write { path: path.to_owned(), error })?;
             }
         }
@@ -64,13 +64,13 @@ impl Files {
         Ok(())
     }
 
-    /// The stream that is left for the answer.
+    /// The stream for the answer: standard error if a file goes to standard output.
     pub(super) fn stream_of_answer(&self) -> Stream {
         let taken = self.places.iter().any(|(_, place)| *place == Place::Stream(Stream::Output));
         if taken { Stream::Error } else { Stream::Output }
     }
 
-    /// Writes `text` beside `path`, which has been reserved.
+    /// Writes `text` next to the reserved `path`.
     pub(super) fn stage(&mut self, path: &Path, text: String) -> Result<(), Failure> {
         let failed = |error| Failure::Write { path: path.to_owned(), error };
         let reserved = self.places.iter().find(|(reserved, _)| reserved == path).map(|(_, place)| place.clone());
@@ -86,7 +86,7 @@ impl Files {
         let temporary = file.with_file_name(name);
         let new = match create_like(&temporary, &file) {
             Ok(new) => new,
-            // Nobody but the owner of its directory could replace this file, and it may be written.
+            // Only the owner of its directory could replace this file, but the file itself can be written.
             Err(error) if error.kind() == io::ErrorKind::PermissionDenied && file.exists() => {
                 let _ = fs::remove_file(&temporary);
                 self.direct.push(Direct { place: Place::Device(file), text });
@@ -98,14 +98,14 @@ impl Files {
         write(new, &text).map_err(failed)
     }
 
-    /// Moves all files to their places, and writes what has no place to be moved to.
+    /// Moves all files to their destinations, and writes the texts that go to streams and devices.
     pub(super) fn publish(mut self) -> Result<(), Failure> {
         while let Some(file) = self.staged.last() {
             fs::rename(&file.temporary, &file.place)
                 .map_err(|error| Failure::Write { path: file.place.clone(), error })?;
             self.staged.pop();
         }
-        // A pipe may wait for its reader, and then a signal has to end the program.
+        // A pipe may wait for its reader. A signal must then be able to end the program.
         self.held = None;
         for Direct { place, text } in std::mem::take(&mut self.direct) {
             match place {
@@ -113,7 +113,7 @@ impl Files {
                 Place::File(path) | Place::Device(path) => {
                     let failed = |error| Failure::Write { path: path.clone(), error };
                     let mut device = open(&path).map_err(failed)?;
-                    // Only what is longer than the new text; a device has no length.
+                    // Removes any part of the old file that is longer than the new text; a device has no length.
                     if device.metadata().is_ok_and(|there| there.is_file()) {
                         device.set_len(0).map_err(failed)?;
                     }
@@ -128,13 +128,13 @@ impl Files {
 impl Drop for Files {
     fn drop(&mut self) {
         for file in &self.staged {
-            // If it cannot be removed either, the message about why it was not moved is the one to give.
+            // If it cannot be removed, the message why it was not moved is more important.
             let _ = fs::remove_file(&file.temporary);
         }
     }
 }
 
-/// Opens what is there, as a plain write does.
+/// Opens an existing file for writing, like a plain write.
 fn open(path: &Path) -> io::Result<File> {
     OpenOptions::new().write(true).open(path)
 }
@@ -144,14 +144,14 @@ fn write(mut file: File, text: &str) -> io::Result<()> {
     file.sync_all()
 }
 
-/// A new file with mode, owner and group of the one that it will replace.
+/// A new file with the mode, owner and group of the file that it will replace.
 #[cfg(unix)]
 fn create_like(new: &Path, old: &Path) -> io::Result<File> {
     use std::os::unix::fs::{MetadataExt as _, OpenOptionsExt as _, fchown};
     let mut options = OpenOptions::new();
     options.write(true).create_new(true);
     let Ok(there) = fs::metadata(old) else { return options.open(new) };
-    // Nobody else may open it before it has its mode.
+    // Nobody else may open the file before it has its mode.
     let file = options.mode(0o600).open(new)?;
     let made = file.metadata()?;
     if (made.uid(), made.gid()) != (there.uid(), there.gid()) {
@@ -166,8 +166,8 @@ fn create_like(new: &Path, _: &Path) -> io::Result<File> {
     OpenOptions::new().write(true).create_new(true).open(new)
 }
 
-/// The stream that the shell has sent into the file or pipe at `path`, whatever its name: written by a name of its own as well,
-/// one text would overwrite the other. A device takes both.
+/// The stream that the shell has redirected into the file or pipe at `path`, whatever its name. Written separately, one text would
+/// overwrite the other. A device accepts both.
 #[cfg(unix)]
 fn stream_into(path: &Path) -> Option<Stream> {
     use std::os::fd::AsFd;
@@ -185,15 +185,15 @@ fn stream_into(_: &Path) -> Option<Stream> {
     None
 }
 
-/// Where a file at `path` is in truth: moving something there must not replace a link, and still less a device.
+/// The real destination of a file at `path`: moving a file there must not replace a link or a device.
 fn place(path: &Path) -> Result<Place, Failure> {
     place_through(path, MOST_LINKS)
 }
 
-/// Links that one name may lead through: more than that go in a circle, for the operating system as well.
+/// Largest number of links that one name may lead through; more form a circle, also for the operating system.
 const MOST_LINKS: usize = 40;
 
-/// The same, if the name leads through at most so many links to a file that is not there yet.
+/// The same, if the name leads through at most this many links to a file that does not exist yet.
 fn place_through(path: &Path, links: usize) -> Result<Place, Failure> {
     const NAMES: [(Stream, [&str; 3]); 2] = [
         (Stream::Output, ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"]),
@@ -225,7 +225,7 @@ fn place_through(path: &Path, links: usize) -> Result<Place, Failure> {
             let folder = fs::canonicalize(folder).map_err(|_| not(PlaceProblem::NoDirectory))?;
             match fs::read_link(path) {
                 Ok(_) if links == 0 => return Err(not(PlaceProblem::Circle)),
-                // The file that the link names is made, and the link stays.
+                // The target of the link is created, and the link remains.
                 Ok(target) => return place_through(&folder.join(target), links - 1),
                 Err(_) => {}
             }

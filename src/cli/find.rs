@@ -1,4 +1,4 @@
-//! `find`: the values of a number of the scene for which something is reached.
+//! The command `find`: the values of a number of the scene for which a target is reached.
 
 use std::time::Instant;
 
@@ -48,7 +48,7 @@ pub(super) struct Find {
     pub(super) until: String,
 }
 
-/// Digits of what was found: all that rounding leaves.
+/// Digits of the values found: all that rounding leaves.
 const DIGITS: usize = 15;
 
 /// A number with these digits.
@@ -56,7 +56,7 @@ fn precise(number: f64) -> String {
     Results::with_digits(DIGITS).number(number)
 }
 
-/// What was found, with its answers.
+/// The values found, with their answers.
 pub(super) struct Finding {
     until: Until,
     paths: String,
@@ -69,7 +69,7 @@ pub(super) struct Finding {
     seconds: f64,
 }
 
-/// An answer beside a value that was found, or the nearest one.
+/// The answer next to a value that was found, or at the nearest value.
 struct Side {
     beside: Beside,
     answer: Answer,
@@ -100,7 +100,7 @@ impl Finding {
         Ok(Self { until, paths, first, range, found: all, nearest, is_whole, seconds })
     }
 
-    /// Whether something was found, in a search of the whole range, and all answers are certified.
+    /// Whether the whole range was searched, at least one value was found, and all answers are certified.
     pub(super) fn is_certified(&self) -> bool {
         let mut sides = self.found.iter().flat_map(|(_, sides)| sides).flatten();
         self.is_whole && !self.found.is_empty() && sides.all(|side| side.answer.is_certified())
@@ -114,10 +114,10 @@ impl Finding {
             vary: &'a str,
             until: String,
             found: Vec<FoundObject<'a>>,
-            /// Only where nothing was found.
+            /// Only if no value was found.
             #[serde(skip_serializing_if = "Option::is_none")]
             nearest: Option<SideObject<'a>>,
-            /// Only of a search that is not whole.
+            /// Only if the search is incomplete.
             #[serde(skip_serializing_if = "Option::is_none")]
             stopped: Option<&'a str>,
         }
@@ -201,7 +201,7 @@ impl Finding {
         text
     }
 
-    /// What it means that nothing was found.
+    /// The statement that no value was found.
     fn missed(&self) -> String {
         match self.until.measure {
             measure if measure.is_contact() => "contact neither begins nor ends".to_owned(),
@@ -209,7 +209,7 @@ impl Finding {
         }
     }
 
-    /// The heading of what is reached.
+    /// The column heading of the measured quantity.
     fn reached(&self) -> String {
         match self.until.measure {
             Measure::Contact => "contact force, or minus the least clearance".to_owned(),
@@ -219,7 +219,7 @@ impl Finding {
     }
 }
 
-/// A value with what is to be said of it.
+/// A value with its uncertainty and remarks.
 fn said(found: &Found) -> String {
     let mut text = precise(found.value);
     if 0.0 < found.uncertainty {

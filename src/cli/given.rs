@@ -1,10 +1,11 @@
-//! What is given, in words: the scene as the program understood it, before any answer.
+//! The given data in words: the scene as the program reads it, before any answer.
 
 use palkki::scene::{Foundation, Joint, Scene, Support};
 
 use super::table::Labels;
 
-/// Lines `(name, value)`: beam, supports and own shape where they are not the paper's, loads and foundation.
+/// Lines `(name, value)`: beam, loads and foundation; joints, tension, supports and initial shape where they differ from the paper's
+/// beam.
 pub(super) fn given(scene: &Scene, labels: &Labels) -> Vec<(&'static str, String)> {
     let beam = format!(
         "length {}, bending stiffness {}",
@@ -44,7 +45,7 @@ pub(super) fn given(scene: &Scene, labels: &Labels) -> Vec<(&'static str, String
     lines
 }
 
-/// The bending stiffness, or that of each step.
+/// The bending stiffness, or the bending stiffness of each step.
 fn stiffness(scene: &Scene, labels: &Labels) -> String {
     let step =
         |&[at, value]: &[f64; 2]| format!("{} from {}", labels.bending_stiffness.value(value), labels.number(at));
@@ -103,9 +104,9 @@ fn load(scene: &Scene, labels: &Labels) -> String {
     few(&parts)
 }
 
-/// As many as a person reads in one line, and how many there are.
+/// The first entries, and how many there are if not all are shown.
 fn few(all: &[String]) -> String {
-    /// What fits three lines of a terminal, more or less.
+    /// About three lines of a terminal.
     const SHOWN: usize = 8;
     match all.len() {
         0 => "none".to_owned(),
@@ -114,7 +115,7 @@ fn few(all: &[String]) -> String {
     }
 }
 
-/// A profile in words; `name` is what its polynomial is called.
+/// A profile in words; `name` is the symbol of its polynomial.
 fn profile(profile: &Foundation, name: &str, labels: &Labels) -> String {
     match profile {
         Foundation::Flat { depth } => format!("flat, depth {}", labels.length.value(*depth)),

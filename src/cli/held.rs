@@ -1,4 +1,4 @@
-//! Signals that wait while there are files to clean up.
+//! Deferred signals while there are files to clean up.
 
 use std::io;
 use std::sync::Arc;
@@ -7,11 +7,11 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::{flag, low_level};
 
-/// What ends a program in the middle: an interrupt, and an end that is asked for.
+/// The signals that end a program early: an interrupt, and a request to terminate.
 const ENDING: [i32; 2] = [SIGINT, SIGTERM];
 
-/// While this is there, such a signal waits; when it is dropped, the signal ends the program as it would have done. A file that
-/// grows beyond its limit is an error of writing, which cleans up, and no signal.
+/// While this value exists, these signals wait. When it is dropped, a signal that was received ends the program as usual. A file that
+/// grows beyond its size limit causes a write error, which cleans up, instead of a signal.
 #[derive(Debug)]
 pub(super) struct Held {
     free: Arc<AtomicBool>,
@@ -37,7 +37,7 @@ impl Drop for Held {
         self.free.store(true, Ordering::SeqCst);
         let signal = i32::try_from(self.caught.load(Ordering::SeqCst)).unwrap_or_default();
         if signal != 0 {
-            // It ends the program; where the system has no such signal, the program goes on.
+            // This ends the program. If the system has no such signal, the program continues.
             let _ = low_level::emulate_default_handler(signal);
         }
     }

@@ -1,4 +1,4 @@
-//! Reading: a scene file, the files that it names, and files of arguments.
+//! Input: a scene file, the files that it names, and files named as arguments.
 
 use std::fs::{self, File, Metadata};
 use std::io::{self, BufRead as _, BufReader, Read as _};
@@ -17,24 +17,24 @@ use super::output::Failure;
 use super::table::Labels;
 use super::text::warning_lines;
 
-/// Bytes of the largest survey, or file of contact forces, that is read: ten million rows with all their digits.
+/// Bytes of the largest survey or file of contact forces that is read: ten million rows with all their digits.
 const LARGEST_TABLE: u64 = 512 * 1024 * 1024;
 
-/// Bytes of the largest scene file that is read. Its document takes some fifty times its size in memory; a foundation with more
-/// points has room in a survey.
+/// Bytes of the largest scene file that is read. Its document needs some fifty times its size in memory. A foundation with more
+/// points can be given as a survey.
 const LARGEST_SCENE: u64 = 16 * 1024 * 1024;
 
-/// Bytes of the largest matrix that is read: twice the numbers of the largest one that is factorised, for both triangles, with places
-/// and all digits, are some 1.2 GB.
+/// Bytes of the largest matrix that is read. The largest matrix that is factorised needs some 1.2 GB for both triangles, with
+/// positions and all digits.
 const LARGEST_MATRIX: u64 = 2 * 1024 * 1024 * 1024;
 
 /// Bytes of the longest line of a matrix: the format allows 1024 characters.
 const LONGEST_LINE: u64 = 4096;
 
-/// A scene, of a beam if nothing else is said, with the files that it came from.
+/// A scene, by default of a beam, with the files from which it was read.
 #[derive(Debug)]
 pub(super) struct Input<M = Scene> {
-    /// The scene file as messages call it.
+    /// The name of the scene file in messages.
     pub(super) name: String,
     title: String,
     units: Units,
@@ -42,13 +42,13 @@ pub(super) struct Input<M = Scene> {
     pub(super) scene: M,
     /// The files that were read.
     pub(super) files: Vec<PathBuf>,
-    /// How the numbers of its answer are written in text.
+    /// The number format of the answer in text.
     results: Results,
-    /// What may be wrong with the scene, though it has an answer.
+    /// Warnings about the scene that do not prevent an answer.
     warnings: Vec<String>,
 }
 
-/// Where the point loads of a scene may be.
+/// The allowed positions of point loads.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Loads {
     OnBeam,
@@ -56,7 +56,7 @@ pub(super) enum Loads {
     Anywhere,
 }
 
-/// What a scene file turns out to be.
+/// The content of a scene file.
 #[derive(Debug)]
 pub(super) enum Read {
     Beam(Box<Input>),
@@ -64,7 +64,7 @@ pub(super) enum Read {
 }
 
 impl Read {
-    /// Reads the scene file `path`, or standard input; what it names is relative to its folder, or to the working directory.
+    /// Reads the scene file `path` or standard input. Files that it names are relative to its folder, or to the working directory.
     pub(super) fn scene(path: &Path, results: Results, loads: Loads) -> Result<Self, Failure> {
         let name = called(path);
         let text = read_argument(path, LARGEST_SCENE)
@@ -99,12 +99,12 @@ impl Read {
     }
 }
 
-/// Files beside a scene file.
+/// The files that a scene file names.
 struct BesideScene<'a> {
     path: &'a Path,
     files: Vec<PathBuf>,
-    /// Files whose text a message may repeat, as messages call them: the scene, and what lies in its folder. Whoever sends a scene to be
-    /// solved could otherwise read any file in the messages.
+    /// Names, as in messages, of the files whose text a message may repeat: the scene file, and files in its folder. Otherwise,
+    /// whoever submits a scene to be solved could read any file through the messages.
     shown: Vec<String>,
 }
 
@@ -118,13 +118,13 @@ impl BesideScene<'_> {
         file
     }
 
-    /// The error as it may be shown.
+    /// The error without text that must not be shown.
     fn shown(&self, error: Box<FileError>) -> Box<FileError> {
         if self.shown.contains(&error.file) { error } else { Box::new(error.without_text()) }
     }
 }
 
-/// Whether a file lies in the folder of a scene, or below it, when all links are followed.
+/// Whether a file is in the folder of a scene or below it, after all links are followed.
 fn is_within(file: &Path, scene: &Path) -> bool {
     let folder = scene.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
     let whole = fs::canonicalize(folder).and_then(|folder| Ok((folder, fs::canonicalize(file)?)));
@@ -141,7 +141,7 @@ impl Beside for BesideScene<'_> {
         let mut bytes = Vec::new();
         for number in 1.. {
             bytes.clear();
-            // One byte more, to see that there is more.
+            // One more byte shows that the line is too long.
             let taken = stream.by_ref().take(LONGEST_LINE + 1).read_until(b'\n', &mut bytes);
             if taken.map_err(|error| refused(&error))? == 0 {
                 break;
@@ -162,29 +162,29 @@ impl Beside for BesideScene<'_> {
 }
 
 impl<M> Input<M> {
-    /// Names and numbers of this scene in text.
+    /// Unit labels and number format of this scene in text.
     pub(super) fn labels(&self) -> Labels {
         Labels::of(&self.units, self.results)
     }
 
-    /// What may be wrong with the scene, though it has an answer.
+    /// Warnings about the scene that do not prevent an answer.
     pub(super) fn warnings(&self) -> &[String] {
         &self.warnings
     }
 
-    /// The same as lines for a person, with a blank line behind them; empty if there are none.
+    /// The warnings as lines of text, followed by a blank line; empty if there are none.
     pub(super) fn warning_lines(&self) -> String {
         warning_lines(&self.warnings)
     }
 
-    /// What the scene is called: by its title, or else by its file.
+    /// The title of the scene, or the name of its file if it has no title.
     pub(super) fn title(&self) -> &str {
         if self.title.is_empty() { &self.name } else { &self.title }
     }
 }
 
 impl Input<Body> {
-    /// Reads what a program brought for this body.
+    /// Reads an answer from another program for this body.
     pub(super) fn answers(&self, path: &Path) -> Result<Brought, Failure> {
         let name = called(path);
         let text = read_argument(path, LARGEST_TABLE)
@@ -202,7 +202,7 @@ impl Input {
         Ok(parse_forces(&name, &text, self.scene.beam().length())?)
     }
 
-    /// An error that only showed when the scene was solved.
+    /// A scene error that was found only when the scene was solved.
     pub(super) fn error(&self, error: SceneError) -> Failure {
         Failure::File(Box::new(FileError::whole(&self.name, Problem::Scene { error, quantity: None })))
     }
@@ -213,17 +213,17 @@ pub(super) fn is_standard(argument: &Path) -> bool {
     argument == Path::new("-")
 }
 
-/// What messages call a file that is an argument.
+/// The name of a file argument in messages.
 pub(super) fn called(argument: &Path) -> String {
     if is_standard(argument) { "standard input".to_owned() } else { argument.display().to_string() }
 }
 
-/// What an argument names, as text: a file, or standard input.
+/// The text of an argument: of a file or of standard input.
 fn read_argument(argument: &Path, largest: u64) -> Result<String, ReadProblem> {
     if is_standard(argument) { text_of(io::stdin().lock(), largest) } else { read(argument, largest) }
 }
 
-/// Why reading failed.
+/// The reason why reading failed.
 fn refused(error: &io::Error) -> ReadProblem {
     match error.kind() {
         io::ErrorKind::NotFound => ReadProblem::Missing,
@@ -232,9 +232,9 @@ fn refused(error: &io::Error) -> ReadProblem {
     }
 }
 
-/// An argument of at most `largest` bytes as text. A pipe of the shell or a device may be what its user means.
+/// The text of an argument of at most `largest` bytes. It may be a pipe of the shell or a device.
 fn read(path: &Path, largest: u64) -> Result<String, ReadProblem> {
-    // Opening one would wait until somebody writes.
+    // Opening a named pipe would wait until somebody writes.
     if is_named_pipe(path) {
         return Err(ReadProblem::NamedPipe);
     }
@@ -244,11 +244,11 @@ fn read(path: &Path, largest: u64) -> Result<String, ReadProblem> {
     text_of(file, largest)
 }
 
-/// A file that a scene names: a regular one of at most `largest` bytes. Opening anything else may wait, or do something.
+/// Opens a file that a scene names: a regular file of at most `largest` bytes. Opening anything else may wait or have side effects.
 fn open_regular(path: &Path, largest: u64) -> Result<File, ReadProblem> {
     regular(&fs::metadata(path).map_err(|error| refused(&error))?, largest)?;
     let file = File::open(path).map_err(|error| refused(&error))?;
-    // Again, as it may be another one by now.
+    // Checked again, because it may be another file by now.
     regular(&file.metadata().map_err(|error| refused(&error))?, largest)?;
     Ok(file)
 }
@@ -258,7 +258,7 @@ fn regular(there: &Metadata, largest: u64) -> Result<(), ReadProblem> {
     if there.is_file() { Ok(()) } else { Err(ReadProblem::NotRegular) }
 }
 
-/// Before half a gigabyte is read in vain.
+/// Checks the size before half a gigabyte is read in vain.
 fn of_size(there: &Metadata, largest: u64) -> Result<(), ReadProblem> {
     match there {
         there if there.is_dir() => Err(ReadProblem::Directory),
@@ -270,7 +270,7 @@ fn of_size(there: &Metadata, largest: u64) -> Result<(), ReadProblem> {
 /// All of a stream of at most `largest` bytes, as text.
 fn text_of(stream: impl io::Read, largest: u64) -> Result<String, ReadProblem> {
     let mut bytes = Vec::new();
-    // One byte more, to see that there is more. The size that a file claims is no help: a device claims none.
+    // One more byte shows that the stream is too long. The size that a file reports is not reliable: a device reports none.
     stream.take(largest + 1).read_to_end(&mut bytes).map_err(|error| refused(&error))?;
     if usize::try_from(largest).is_ok_and(|limit| limit < bytes.len()) {
         return Err(ReadProblem::TooLarge { limit: largest });
@@ -283,7 +283,7 @@ fn text_of(stream: impl io::Read, largest: u64) -> Result<String, ReadProblem> {
     })
 }
 
-/// True for a pipe with a name of its own; standard input and the pipes of a shell, which have writers, have none.
+/// Whether a path is a pipe with its own name. Standard input and pipes of a shell have none; they have writers.
 #[cfg(unix)]
 fn is_named_pipe(path: &Path) -> bool {
     use std::os::unix::fs::FileTypeExt as _;

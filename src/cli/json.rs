@@ -1,7 +1,8 @@
-//! Answers as JSON. `serde_json` prints an `f64` with as many digits as it takes to read the same number back, and
-//! `null` for one that is not finite: the clearance where there is no foundation, a difference relative to zero.
+//! Answers as JSON. `serde_json` prints an `f64` with enough digits to read the same number back, and `null` for a number that is not
+//! finite: a clearance where there is no foundation, or a difference relative to zero.
 //!
-//! What has the same fields here as in the library is derived there; here is what the contract orders or names in another way.
+//! Types whose fields are the same here as in the library are serialised there. This module contains what the contract orders or
+//! names differently.
 
 use palkki::adaptive::{End, Trial};
 use palkki::certificate::{Certificate, Violation};
@@ -18,14 +19,14 @@ use super::input::Input;
 use super::local::Local;
 use super::sweep::{Stopped, SweptRow};
 
-/// Grids with more intervals are printed without their nodes, unless these are asked for.
+/// Grids with more intervals are printed without their nodes, unless these are requested.
 pub(super) const MOST_INTERVALS_WITH_NODES: usize = 10_000;
 
-/// What is printed of the scene itself.
+/// The output about the scene itself.
 #[derive(Debug, Serialize)]
 pub(super) struct SceneObject<'a> {
     pub(super) scene: &'a str,
-    /// What may be wrong with it, though it has an answer.
+    /// Warnings about the scene that do not prevent an answer.
     #[serde(skip_serializing_if = "<[String]>::is_empty")]
     pub(super) warnings: &'a [String],
 }
@@ -44,7 +45,7 @@ pub(super) fn solve(input: &Input, answer: &Answer, all_nodes: bool, local: &Loc
         scene: SceneObject<'a>,
         #[serde(flatten)]
         route: RouteObject<'a>,
-        /// Only of beam theory.
+        /// Only for beam theory.
         #[serde(skip_serializing_if = "Option::is_none")]
         spans: Option<Vec<SpanObject>>,
         nodes: Option<&'a Nodes>,
@@ -59,7 +60,7 @@ pub(super) fn solve(input: &Input, answer: &Answer, all_nodes: bool, local: &Loc
     print(&SolveObject { scene, route: answer.into(), spans, nodes, local })
 }
 
-/// What `compare` found.
+/// The result of `compare`.
 pub(super) fn compare(input: &Input, comparison: &Comparison) -> String {
     #[derive(Debug, Serialize)]
     struct ComparisonObject<'a> {
@@ -83,13 +84,13 @@ pub(super) fn compare(input: &Input, comparison: &Comparison) -> String {
     print(&ComparisonObject { scene: input.into(), intervals: comparison.intervals, routes: routes.collect() })
 }
 
-/// What `certify` found.
+/// The result of `certify`.
 pub(super) fn certify(input: &Input, finding: &Finding) -> String {
     #[derive(Debug, Serialize)]
     struct FindingObject<'a> {
         #[serde(flatten)]
         scene: SceneObject<'a>,
-        /// Only where the load was lumped at nodes.
+        /// Only if the load was lumped at nodes.
         #[serde(skip_serializing_if = "Option::is_none")]
         intervals: Option<usize>,
         status: Status,
@@ -97,7 +98,7 @@ pub(super) fn certify(input: &Input, finding: &Finding) -> String {
         certificate: CertificateObject<'a>,
         violations: &'a [Violation],
     }
-    // Of forces that somebody else computed, the own deflection may be far from the best one.
+    // For forces from elsewhere, their own deflection may be far from the best one.
     let best_deflection_error = Some(finding.certificate.best_deflection_error);
     print(&FindingObject {
         scene: input.into(),
@@ -109,7 +110,7 @@ pub(super) fn certify(input: &Input, finding: &Finding) -> String {
     })
 }
 
-/// What `sweep` found: the number that was varied, its values with their answers, and the events.
+/// The result of `sweep`: the varied number, its values with their answers, and the events.
 pub(super) fn sweep<'a>(
     scene: SceneObject<'a>,
     vary: &str,
@@ -127,7 +128,7 @@ pub(super) fn sweep<'a>(
         events: &'a [Event],
         #[serde(skip_serializing_if = "Option::is_none")]
         envelope: Option<&'a Envelope>,
-        /// Only of a sweep that is not whole.
+        /// Only if the sweep is incomplete.
         #[serde(skip_serializing_if = "Option::is_none")]
         stopped: Option<&'a Stopped>,
     }
@@ -145,7 +146,7 @@ pub(super) fn sweep<'a>(
     print(&SweepObject { scene, vary, rows, events, envelope, stopped })
 }
 
-/// The version of the keys and of what they mean: a key that goes, or means something else, makes it another one.
+/// The version of the keys and their meaning. It changes when a key is removed or changes its meaning.
 const VERSION: u32 = 1;
 
 pub(super) fn print(value: &impl Serialize) -> String {
@@ -155,18 +156,18 @@ pub(super) fn print(value: &impl Serialize) -> String {
         #[serde(flatten)]
         value: &'a T,
     }
-    // Structs of numbers and texts have nothing that serialising could refuse.
+    // Structs of numbers and texts cannot fail to serialise.
     serde_json::to_string_pretty(&Versioned { version: VERSION, value }).unwrap_or_default() + "\n"
 }
 
-/// What `solve` and each route of `compare` have in common: how an answer was found, what it is worth, and what it says.
+/// The fields that `solve` and each route of `compare` have in common: method, verdict and results.
 #[derive(Debug, Serialize)]
 pub(super) struct RouteObject<'a> {
     method: &'a str,
     solver: &'a str,
     intervals: Option<usize>,
     status: Status,
-    /// How far the beam may be off, or what else is wrong.
+    /// The error bound of the deflection, or any other flaw.
     reason: String,
     solver_status: &'a str,
     residual: f64,
@@ -176,22 +177,22 @@ pub(super) struct RouteObject<'a> {
     seconds: f64,
     reactions: EndsObject,
     supports: &'a [SupportForce],
-    /// Of a beam that its supports do not hold: `resultant`, `margin`, and `motion` where its position is not certain.
+    /// For a beam that its supports do not hold: `resultant`, `margin`, and `motion` if its position is not determined.
     #[serde(flatten)]
     standing: Option<Standing>,
     contacts: Vec<ContactObject>,
-    /// Only where the beam lies on the foundation without pressing.
+    /// Only if the beam touches the foundation somewhere without pressing.
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     touches: &'a [Touch],
     contact_force: f64,
     deflection: DeflectionObject,
     moment: Extremes,
     energy: f64,
-    /// Only of ground that gives.
+    /// Only for an elastic foundation.
     #[serde(skip_serializing_if = "Option::is_none")]
     pressure: Option<Pressure>,
     certificate: Option<CertificateObject<'a>>,
-    /// What it took to find the grid; there if a tolerance was given and no grid.
+    /// The search for the grid; present if a tolerance was given and no grid.
     #[serde(skip_serializing_if = "Option::is_none")]
     refinement: Option<GridsObject<'a>>,
 }
@@ -234,7 +235,7 @@ impl<'a> From<&'a Answer> for RouteObject<'a> {
     }
 }
 
-/// What belongs to the supports at the two ends of the beam; `null` where there is none.
+/// One number each for the supports at the two ends of the beam; `null` where there is no support.
 #[derive(Debug, Serialize)]
 pub(super) struct EndsObject {
     left: Option<f64>,
@@ -242,7 +243,7 @@ pub(super) struct EndsObject {
 }
 
 impl EndsObject {
-    /// Of one number for each support.
+    /// Selects from one number for each support.
     pub(super) fn of(length: f64, supports: &[SupportForce], number: impl Fn(usize) -> f64) -> Self {
         #[expect(clippy::float_cmp, reason = "a support at an end is exactly there")]
         let at = |end: f64| supports.iter().position(|support| support.at == end).map(&number);
@@ -250,7 +251,7 @@ impl EndsObject {
     }
 }
 
-/// A contact, or how its numbers change.
+/// A contact, or the derivatives of its numbers.
 #[derive(Debug, Serialize)]
 pub(super) struct ContactObject {
     from: f64,
@@ -275,7 +276,7 @@ impl From<&Contact> for ContactObject {
     }
 }
 
-/// A stretch without contact; `clearance` is `null` where there is no foundation.
+/// A span without contact; `clearance` is `null` where there is no foundation.
 #[derive(Debug, Serialize)]
 struct SpanObject {
     from: f64,
@@ -306,7 +307,7 @@ impl From<&FreeSpan> for SpanObject {
     }
 }
 
-/// Of the deflection the place of the largest value is simply `at`.
+/// Extremes of the deflection, where the position of the largest value is called `at`.
 #[derive(Debug, Serialize)]
 struct DeflectionObject {
     max: f64,
@@ -331,7 +332,7 @@ struct GridsObject<'a> {
     grids: Vec<GridObject<'a>>,
 }
 
-/// A grid that was tried; `error` is the worst guaranteed one, over the largest of its kind, and `null` if there is none.
+/// A grid that was tried. `error` is its largest error bound, over the largest value of that quantity, and `null` if there is none.
 #[derive(Debug, Serialize)]
 struct GridObject<'a> {
     #[serde(flatten)]
@@ -349,18 +350,18 @@ struct CertificateObject<'a> {
     deflection_error_at: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     best_deflection_error: Option<f64>,
-    /// What the forces of the supports lie between, from left to right.
+    /// Brackets of the reactions, from left to right.
     supports: &'a [Option<[f64; 2]>],
     contact_force: Option<[f64; 2]>,
     deflection_max: Option<[f64; 2]>,
-    /// Of beam theory.
+    /// Only for beam theory.
     #[serde(flatten)]
     moments: Option<MomentsObject>,
-    /// There only where the deflection is known up to a turn: the place about which.
+    /// The position about which the beam can rotate, only if the deflection is known up to a rotation.
     #[serde(skip_serializing_if = "Option::is_none")]
     up_to_a_turn: Option<f64>,
     stiffness: Option<[f64; 2]>,
-    /// There only where no list of contacts was proven to be that of the beam.
+    /// Present only if no contact list was proven to be that of the beam.
     #[serde(skip_serializing_if = "Option::is_none")]
     coarse: Option<bool>,
 }
@@ -372,7 +373,7 @@ struct MomentsObject {
 }
 
 impl<'a> CertificateObject<'a> {
-    /// With brackets of moments, if there are any.
+    /// The fields of a certificate, with brackets of the moments if there are any.
     fn of(certificate: &'a Certificate, moments: Option<[Option<[f64; 2]>; 2]>) -> Self {
         Self {
             energy_lower: certificate.energy_lower,

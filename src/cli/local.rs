@@ -1,4 +1,4 @@
-//! How an exact answer changes with what is given: `--derivatives` and `--depth-tolerance`, as JSON and as tables.
+//! Sensitivity of an exact answer: `--derivatives` and `--depth-tolerance`, as JSON and as tables.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -16,13 +16,13 @@ use super::json::{ContactObject, EndsObject};
 use super::table::{Labels, MOST_ROWS, Row, first, list, table};
 use super::text::BRACKET;
 
-/// What was asked for.
+/// The requested results.
 #[derive(Debug, Serialize)]
 pub(super) struct Local {
-    /// By the paths of the numbers, or `depth` for all of the ground.
+    /// Derivatives by the path of the number, or by `depth` for the whole foundation.
     #[serde(skip_serializing_if = "Option::is_none")]
     derivatives: Option<BTreeMap<String, DerivativeObject>>,
-    /// Of how many numbers of the scene there are none, as they would be too many, or take too long.
+    /// Number of scene numbers without derivatives, because these would be too many or need too long.
     #[serde(skip_serializing_if = "Option::is_none")]
     derivatives_left_out: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -32,7 +32,7 @@ pub(super) struct Local {
 #[derive(Debug, Serialize)]
 struct DerivativeObject {
     one_sided: bool,
-    /// Why numbers are null.
+    /// The reason why numbers are null.
     #[serde(skip_serializing_if = "Option::is_none")]
     missing: Option<&'static str>,
     reactions: EndsObject,
@@ -59,7 +59,7 @@ struct GuaranteedObject {
 }
 
 impl Local {
-    /// What the arguments ask for of an answer of beam theory.
+    /// The results that the arguments request for an answer of beam theory.
     pub(super) fn of(scene: &Scene, answer: &Answer, arguments: &Solve) -> Self {
         let exact = answer.solution.exact.as_deref();
         let supports = &answer.solution.state.supports;
@@ -78,7 +78,7 @@ impl Local {
         Self { derivatives, derivatives_left_out: left_out, depth_tolerance: known }
     }
 
-    /// Tables for a person.
+    /// The results as tables.
     pub(super) fn text(&self, input: &Input) -> String {
         let labels = input.labels();
         let mut text = String::new();
@@ -115,10 +115,10 @@ impl Local {
     }
 }
 
-/// Columns of supports that a person reads.
+/// Largest number of support columns in a table.
 const MOST_SUPPORTS: usize = 8;
 
-/// A row for each number, and below it what is not there.
+/// One row for each number of the scene, followed by the reasons for missing derivatives.
 fn table_of(derivatives: &BTreeMap<String, DerivativeObject>, left_out: Option<usize>, labels: &Labels) -> String {
     let supports = derivatives.values().map(|d| d.supports.len()).max().unwrap_or(0);
     let shown = supports.min(MOST_SUPPORTS);

@@ -1,8 +1,8 @@
-//! The command line: arguments in, table or JSON out. With `xtask` the only part that reads files, writes files or uses a clock.
+//! The command line: arguments in, table or JSON out. Only this part and `xtask` read files, write files or use a clock.
 //!
-//! Exit codes: 0, an answer that is certified; 1, there is an answer and it is not; 2, bad input or usage, or
-//! output that cannot be written. With 2 there is nothing on standard output and no file is written, unless it is standard output,
-//! or a device, that fails: then files are already whole and in their places.
+//! Exit codes: 0, the answer is certified; 1, the answer is not certified, or `find` finds no value; 2, invalid input or usage, or
+//! output that cannot be written. With code 2, standard output is empty and no file is written. The exception is a failure of
+//! standard output or of a device: the files are then already complete and in place.
 
 mod answer;
 mod arguments;
@@ -48,21 +48,21 @@ use self::input::{Input, Loads, Read};
 use self::local::Local;
 use self::output::Failure;
 
-/// Exit codes: what was asked for is certified,
+/// Exit code: the requested answer is certified.
 const CERTIFIED: u8 = 0;
-/// there is an answer that is not,
+/// Exit code: there is an answer, but it is not certified.
 const NOT_CERTIFIED: u8 = 1;
-/// and there is none.
+/// Exit code: there is no answer.
 const FAILED: u8 = 2;
 
-/// Why a body is not swept.
+/// The reason why a body cannot be swept.
 const NOTHING_TO_VARY: &str = "a [body] has no number that could be varied";
 
-/// Runs the program on the arguments that it was started with.
+/// Runs the program with its command-line arguments.
 pub(crate) fn run() -> ExitCode {
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
-        // `--help` and `--version` come this way too, with exit code 0; a usage error has 2.
+        // `--help` and `--version` also end here, with exit code 0; a usage error has code 2.
         Err(message) => return finish_with_message(&message),
     };
     let done = match &arguments.command {
@@ -95,7 +95,7 @@ pub(crate) fn run() -> ExitCode {
 }
 
 fn finish_with_message(message: &clap::Error) -> ExitCode {
-    // An error of standard error cannot be reported. Help that could not be printed is a failure.
+    // An error on standard error cannot be reported. If help cannot be printed, the program fails.
     let open = if message.use_stderr() { Ok(()) } else { output::can_be_written() };
     let printed = open.and_then(|()| output::unless_closed(message.print()));
     let code = if printed.is_ok() { u8::try_from(message.exit_code()).unwrap_or(FAILED) } else { FAILED };
@@ -104,16 +104,16 @@ fn finish_with_message(message: &clap::Error) -> ExitCode {
 
 /// The result of a subcommand.
 struct Outcome<'a> {
-    /// What is printed.
+    /// The text to print.
     text: String,
-    /// The files of the options.
+    /// The files requested by options.
     files: Vec<Option<(&'a PathBuf, String)>>,
-    /// Whether there is an answer that passed our own check; of a sweep, whether all did.
+    /// Whether an answer passed our own check; for a sweep, whether all answers passed.
     is_certified: bool,
 }
 
-/// Reads the scene, does the work, writes the files that go to `places` and prints the answer; the code is that of the answer.
-/// `what` is printed if the work takes long.
+/// Reads the scene, does the work, writes the files at `places` and prints the answer. Returns the exit code of the answer. `what` is
+/// printed if the work needs long.
 fn run_on_scene<'a>(
     (scene, loads): (&SceneArgument, Loads),
     format: Format,
@@ -124,7 +124,7 @@ fn run_on_scene<'a>(
 ) -> Result<u8, Failure> {
     let read = Read::scene(&scene.path, Results::with_digits(scene.digits), loads)?;
     let mut files = Files::default();
-    // Before the work, so that a bad name is not found out about after it.
+    // Before the work, so that an invalid path is reported at once.
     for path in places.iter().copied().flatten() {
         files.reserve(path, read.files())?;
     }
@@ -145,7 +145,7 @@ fn run_on_scene<'a>(
 }
 
 impl Common {
-    /// What is printed, as a table or as JSON.
+    /// The text to print, as a table or as JSON.
     fn shown(&self, text: impl FnOnce() -> String, json: impl FnOnce() -> String) -> String {
         match self.format {
             Format::Text => text(),
@@ -280,14 +280,14 @@ fn export(arguments: &arguments::Export) -> Result<u8, Failure> {
     let on_body = |_: &Input<Body>| Err(Failure::refused("export", "a scene with a [body] is one of matrices already"));
     let done = run_on_scene((&common.scene, Loads::OnBeam), common.format, what, &places_of_files, on_beam, on_body);
     if is_new && done.is_err() {
-        // It is empty; an error of removing it changes nothing.
+        // The folder is empty. An error when removing it changes nothing.
         let _ = std::fs::remove_dir(&arguments.to);
     }
     done
 }
 
 impl Solve {
-    /// The route that the arguments ask for; an option that would have no effect is refused.
+    /// The route that the arguments request. An option without effect is rejected.
     fn route(&self) -> Result<Route, Failure> {
         let refused = |message: String| Failure::refused("solve", message);
         let asked = |options: &[(&'static str, bool)]| options.iter().find(|(_, asked)| *asked).map(|(name, _)| *name);

@@ -1,9 +1,9 @@
-//! The numbers that options take, and how others are refused.
+//! The numbers that options accept, and the messages that reject others.
 
 use palkki::sweep::MOST_STEPS;
 use palkki::text::MOST_DIGITS;
 
-/// A count of something, at least 2 and at most so many.
+/// A number of something, from 2 to `most`.
 fn count(of: &str, most: usize, text: &str) -> Result<usize, String> {
     let not = |what: &str| Err(format!("the number of {of} must be {what}, but is {text}"));
     match text.parse::<usize>() {
@@ -32,7 +32,7 @@ pub(super) fn digits(text: &str) -> Result<usize, String> {
     }
 }
 
-/// A positive, finite number; `what` it is.
+/// A positive, finite number; messages call it `what`.
 fn positive(what: &str, text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(number) if 0.0 < number && number < f64::INFINITY => Ok(number),
@@ -58,5 +58,5 @@ pub(super) fn number(text: &str) -> Result<f64, String> {
     }
 }
 
-/// More intervals than any computer that this runs on has memory for.
+/// More intervals than fit into the memory of any computer that this runs on.
 const MOST_INTERVALS: usize = 10_000_000;

@@ -1,4 +1,4 @@
-//! Standard output and standard error; and why there is no answer at all, exit code 2.
+//! Standard output and standard error, and the reasons why there is no answer (exit code 2).
 
 use std::io::{self, Write as _};
 use std::path::PathBuf;
@@ -9,21 +9,21 @@ use palkki::certificate::NotLumped;
 use palkki::route::Status;
 use palkki::scene::file::FileError;
 
-/// Why the program ends without an answer.
+/// The reason why the program ends without an answer.
 #[derive(Debug, thiserror::Error)]
 pub(super) enum Failure {
-    /// Options that do not go together.
+    /// Options that cannot be combined.
     #[error("{message}")]
     Usage {
-        /// The subcommand that they were given to.
+        /// The subcommand with these options.
         command: &'static str,
         kind: clap::error::ErrorKind,
         message: String,
     },
-    /// The scene is none, or cannot be solved; the message has its picture.
+    /// The scene file is invalid or the scene cannot be solved; the message shows the place in the file.
     #[error("{0}")]
     File(#[from] Box<FileError>),
-    /// Contact forces that do not belong to nodal loads.
+    /// Contact forces that do not fit nodal loads.
     #[error("{path:?} does not go with --load nodal: {error}")]
     NotLumped {
         /// The file of the forces.
@@ -33,23 +33,23 @@ pub(super) enum Failure {
     /// Theory has no solution for this scene.
     #[error("beam theory has no answer for this scene: {0}; choose another --method")]
     NoTheory(#[from] palkki::theory::TheoryError),
-    /// There is no such sweep, or a value of it has no answer.
+    /// The sweep is not possible, or one of its values has no answer.
     #[error(transparent)]
     Sweep(#[from] palkki::sweep::SweepError),
     /// The figure could not be drawn.
     #[error("cannot draw this answer: {0}")]
     Plot(#[from] palkki::plot::PlotError),
-    /// There is no proof of the answer in fractions.
+    /// The answer has no proof in rational arithmetic.
     #[error("no proof of this answer: {0}")]
     Unproven(#[from] palkki::proof::Unproven),
-    /// A place to which no file can be written.
+    /// A path to which no file can be written.
     #[error("cannot write {path:?}: {problem}")]
     NoPlace {
-        /// The place.
+        /// The path.
         path: PathBuf,
         problem: PlaceProblem,
     },
-    /// The operating system refused to write.
+    /// The operating system could not write the file.
     #[error("cannot write {path:?}: {error}")]
     Write {
         /// The file.
@@ -62,13 +62,13 @@ pub(super) enum Failure {
 }
 
 impl Failure {
-    /// Of options that a command does not take together, or not for such a scene.
+    /// An error for options that a command does not accept together, or not for this scene.
     pub(super) fn refused(command: &'static str, message: impl Into<String>) -> Self {
         Self::Usage { command, kind: clap::error::ErrorKind::ArgumentConflict, message: message.into() }
     }
 }
 
-/// What is wrong with a place to write to.
+/// The reason why a path cannot be written.
 #[derive(Debug, Clone, Copy, thiserror::Error)]
 pub(super) enum PlaceProblem {
     #[error("there is no such directory")]
@@ -85,7 +85,7 @@ pub(super) enum PlaceProblem {
     Circle,
 }
 
-/// The two streams that a program has to write to.
+/// The two output streams of the program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Stream {
     Output,
@@ -101,13 +101,13 @@ pub(super) fn print(stream: Stream, text: &str) -> Result<(), Failure> {
     written.map_err(Failure::Print)
 }
 
-/// Whether standard output can be written to at all.
+/// Checks whether standard output can be written at all.
 pub(super) fn can_be_written() -> io::Result<()> {
     unless_closed(unchecked(&io::stdout())?.write(&[]).map(|_| ()))
 }
 
-/// A stream as a file: the stream of the standard library takes one that cannot be written to for one that nobody wants to read, and
-/// the answer would be lost with exit code 0.
+/// A stream as a file. The standard library treats a stream that cannot be written like one that nobody reads. The answer would be
+/// lost with exit code 0.
 #[cfg(unix)]
 fn unchecked(stream: &impl std::os::fd::AsFd) -> io::Result<std::fs::File> {
     stream.as_fd().try_clone_to_owned().map(std::fs::File::from)
@@ -118,7 +118,7 @@ fn unchecked(stream: &impl std::os::windows::io::AsHandle) -> io::Result<std::fs
     stream.as_handle().try_clone_to_owned().map(std::fs::File::from)
 }
 
-/// Prints an answer for a person: on a terminal that has colours, what it is worth is coloured.
+/// Prints an answer as text. On a terminal with colours, its status is coloured.
 pub(super) fn print_coloured(stream: Stream, text: &str) -> Result<(), Failure> {
     let choice = match stream {
         Stream::Output => AutoStream::choice(&io::stdout()),
@@ -127,7 +127,7 @@ pub(super) fn print_coloured(stream: Stream, text: &str) -> Result<(), Failure> 
     if choice == ColorChoice::Never { print(stream, text) } else { print(stream, &coloured(text)) }
 }
 
-/// The text with each status in its colour: at the start, and in cells of tables, which two blanks part.
+/// The text with each status in its colour: at the start, and in table cells, which two spaces separate.
 fn coloured(text: &str) -> String {
     let words = Status::ALL.map(|status| {
         let colour = if status == Status::Certified { AnsiColor::Green } else { AnsiColor::Red };
@@ -146,12 +146,12 @@ fn coloured(text: &str) -> String {
     painted
 }
 
-/// Writes a whole text; a reader that has read enough and closed the pipe, as `head` does, is no failure.
+/// Writes a whole text. It is not a failure if the reader has read enough and closes the pipe, as `head` does.
 pub(super) fn write(stream: &mut impl io::Write, text: &str) -> io::Result<()> {
     unless_closed(stream.write_all(text.as_bytes()).and_then(|()| stream.flush()))
 }
 
-/// The result of writing, with success where a reader closed the pipe.
+/// The result of writing, with success if the reader closed the pipe.
 pub(super) fn unless_closed(written: io::Result<()>) -> io::Result<()> {
     written.or_else(|error| if error.kind() == io::ErrorKind::BrokenPipe { Ok(()) } else { Err(error) })
 }
@@ -159,12 +159,12 @@ pub(super) fn unless_closed(written: io::Result<()>) -> io::Result<()> {
 /// Prints on standard error why there is no answer.
 pub(super) fn complain(failure: &Failure) {
     let mut err = io::stderr().lock();
-    // As in the messages of clap: whether it is a terminal, TERM=dumb, NO_COLOR and CLICOLOR_FORCE decide.
+    // As in the messages of clap, the terminal, TERM=dumb, NO_COLOR and CLICOLOR_FORCE decide.
     let colour = AutoStream::choice(&err) != ColorChoice::Never;
     let message = match failure {
         Failure::File(error) => error.render(colour),
         failure => format!("error: {failure}"),
     };
-    // An error of standard error cannot be reported.
+    // An error on standard error cannot be reported.
     let _ = writeln!(err, "{message}");
 }

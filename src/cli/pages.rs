@@ -1,4 +1,4 @@
-//! What a package of the program brings beside it: completions for shells, and man pages.
+//! Shell completions and man pages, which a package of the program contains.
 
 use clap::CommandFactory as _;
 use clap::error::ErrorKind;
@@ -8,7 +8,7 @@ use super::CERTIFIED;
 use super::arguments::Arguments;
 use super::output::{self, Failure, Stream};
 
-/// Prints what makes a shell complete commands and options.
+/// Prints a shell script that completes commands and options.
 pub(super) fn completions(shell: Shell) -> Result<u8, Failure> {
     let mut text = Vec::new();
     clap_complete::generate(shell, &mut Arguments::command(), "palkki", &mut text);
@@ -27,7 +27,7 @@ pub(super) fn manual(name: Option<&str>) -> Result<u8, Failure> {
                 let message = format!("there is no command {name:?}; there are {}", known.join(", "));
                 return Err(Failure::Usage { command: "manual", kind: ErrorKind::InvalidValue, message });
             };
-            // A page is found by one word.
+            // A man page is found by one word.
             command.clone().display_name(format!("palkki-{name}"))
         }
     };

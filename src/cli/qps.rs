@@ -1,11 +1,11 @@
 //! A sparse form as a file in free MPS with `QUADOBJ`, in the units of the scene.
 //!
-//! Variables have no scale of their own, so that the answer of a solver can be read as it is; its multipliers of `x ≥ 0` are contact
-//! forces where the variables are clearances, and clearances where they are contact forces.
+//! Variables are not scaled, so the answer of a solver can be read directly. The multipliers of `x ≥ 0` are contact forces if the
+//! variables are clearances, and clearances if they are contact forces.
 
 use palkki::qp::{SparseForm, UpperColumns};
 
-/// The file, `x_k` being variable `k` from 1; `units` of the variables and of the energy, which is the objective.
+/// The file, in which `x_k` is variable `k` from 1. `units` are those of the variables, and `energy` that of the objective.
 pub(super) fn qps(form: &SparseForm, units: &[f64], energy: f64) -> String {
     let rows = (1..=form.right.len()).map(|row| format!(" E e{row}"));
     let columns = (1..).zip(&form.linear).zip(&form.equations).zip(units);

@@ -1,4 +1,4 @@
-//! `sweep`: one number of the scene varied, as a table, CSV, JSON or a figure.
+//! The command `sweep`: one number of the scene varied, as a table, CSV, JSON or a figure.
 
 use std::time::Instant;
 
@@ -20,63 +20,63 @@ use super::output::Failure;
 use super::table::{Labels, MOST_ROWS, Row, list, table};
 use super::text::titled;
 
-/// Rows of a table for a person; of more so many are shown.
+/// About this many rows are shown in a table if there are more.
 const SHOWN: usize = 41;
 
 /// Digits of the value of an event.
 const DIGITS: usize = 12;
 
-/// Digits of a value from which on there are answers.
+/// Digits of the value from which on there are answers.
 const DIGITS_OF_BORDER: usize = 6;
 
-/// What a sweep came to.
+/// The result of a sweep.
 pub(super) struct Swept {
     quantity: Quantity,
-    /// The paths of all numbers that are varied.
+    /// The paths of all varied numbers.
     paths: String,
     rows: Vec<SweptRow>,
     events: Vec<Event>,
     envelope: Option<Envelope>,
-    /// Where it was stopped.
+    /// Where and why the sweep is incomplete.
     stopped: Option<Stopped>,
-    /// Values for which the beam buckles.
+    /// Number of values for which the beam buckles.
     buckled: usize,
     /// Time of all answers with their certificates, and of the events.
     seconds: [f64; 2],
 }
 
-/// A value with its answer, and what that has at the places of `--at`.
+/// A value with its answer, and the results at the positions of `--at`.
 pub(super) struct SweptRow {
     pub(super) value: f64,
     pub(super) answer: Answer,
     pub(super) at: Vec<AtPlace>,
 }
 
-/// A sweep that takes more work than one may, or has values without an answer: what there is of it.
+/// The extent of a sweep that reached its work limit or has values without an answer.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub(super) struct Stopped {
-    /// Values with an answer.
+    /// Number of values with an answer.
     rows: usize,
-    /// Values that were asked for.
+    /// Number of values requested.
     of: usize,
-    /// Up to this value the events are complete.
+    /// The events are complete up to this value.
     events_until: Option<f64>,
-    /// Why.
+    /// The reason.
     reason: String,
 }
 
-/// Stretches of values without an answer.
+/// Intervals of values without an answer.
 #[derive(Debug, Default)]
 struct Gaps {
-    /// Why the first value has none.
+    /// The reason why the first of these values has no answer.
     first: Option<SweepError>,
-    /// Where the first stretch ends, if it does.
+    /// The end of the first interval, if it ends.
     until: Option<f64>,
-    /// The last value without an answer, if the one after it is not known to have one.
+    /// The last value without an answer, if the value after it is not known to have one.
     open: Option<f64>,
-    /// How many stretches there are.
+    /// Number of intervals.
     count: usize,
-    /// Of how many values the beam buckles.
+    /// Number of values for which the beam buckles.
     buckled: usize,
 }
 
@@ -88,14 +88,14 @@ impl Gaps {
         self.open = Some(value);
     }
 
-    /// The next value has an answer.
+    /// Ends the interval: this value has an answer.
     fn end(&mut self, walk: &Walk<'_>, value: f64) {
         if let Some(without) = self.open.take() {
             self.until.get_or_insert_with(|| walk.border(value, without));
         }
     }
 
-    /// In words; none without a value that has no answer.
+    /// The reason in words; none if every value has an answer.
     fn reason(&self) -> Option<String> {
         let from = |value: f64| format!("; there are answers from {} on", significant(value + 0.0, DIGITS_OF_BORDER));
         let until = self.until.map_or_else(String::new, from);
@@ -108,7 +108,7 @@ impl Gaps {
     }
 }
 
-/// Why a sweep is stopped, and what to do.
+/// Why a sweep is incomplete, and what to do.
 pub(super) const REASON: &str =
     "the work that one sweep may take is done: a shorter range, fewer values or a simpler scene take less";
 
@@ -143,14 +143,14 @@ impl Swept {
         {
             return Err(error.into());
         }
-        // What the rows have left.
+        // The work that the rows left over.
         let work = MOST_WORK.saturating_sub(walk.work());
         let (envelope, refined) = gathered.map_or((None, true), |gathered| gathered.envelope_within(work));
         let solved = begin.elapsed().as_secs_f64();
         let kinds: Vec<_> = rows.iter().map(|row| (row.value, row.pattern.clone())).collect();
         let Events { events, until } = sweep.events_within(&kinds, MOST_WORK);
         let of = sweep.values().len();
-        // That it buckles is an answer: an event says where.
+        // Buckling counts as an answer: an event gives the value.
         let stopped = (rows.len() + gaps.buckled < of || until.is_some() || !refined).then_some(Stopped {
             rows: rows.len(),
             of,
@@ -166,7 +166,7 @@ impl Swept {
         Ok(Self { quantity, paths, rows, events, envelope, stopped, buckled: gaps.buckled, seconds })
     }
 
-    /// Whether there is an answer for every value for which the beam does not buckle, and every one is certified.
+    /// Whether every value for which the beam does not buckle has an answer, and every answer is certified.
     pub(super) fn is_certified(&self) -> bool {
         self.stopped.is_none() && self.rows.iter().all(|row| row.answer.is_certified())
     }
@@ -245,7 +245,7 @@ impl Swept {
         text
     }
 
-    /// What rows have at a place.
+    /// The results at one position, row by row.
     fn at_place<'a>(&self, rows: impl Iterator<Item = (f64, &'a AtPlace)> + Clone, labels: &Labels) -> String {
         let x = rows.clone().next().map_or(0.0, |(_, place)| place.x);
         let of = |(value, place): (f64, &AtPlace)| -> Row {
@@ -312,7 +312,7 @@ impl Swept {
     }
 }
 
-/// The numbers that are varied, in words.
+/// The varied numbers in words.
 pub(super) fn varied(paths: &str) -> String {
     match paths.split_once(',') {
         Some((first, others)) => format!("{first}, and by as much {}", others.replace(',', ", ")),
@@ -320,7 +320,7 @@ pub(super) fn varied(paths: &str) -> String {
     }
 }
 
-/// The moments that govern, and the forces of the supports.
+/// The governing moments and the reactions.
 fn envelope_text(envelope: &Envelope, labels: &Labels) -> String {
     let Governing { moment_max, moment_min } = &envelope.governing;
     let moment = |moment: &Moment| {
@@ -345,7 +345,7 @@ fn envelope_text(envelope: &Envelope, labels: &Labels) -> String {
     text
 }
 
-/// One row for each place.
+/// One row for each position.
 fn envelope_csv(envelope: &Envelope) -> String {
     let Envelope { x, moment_max, moment_min, shear_max, shear_min, .. } = envelope;
     let rows =
@@ -354,13 +354,13 @@ fn envelope_csv(envelope: &Envelope) -> String {
     std::iter::once(header).chain(rows).map(|row| row + "\n").collect()
 }
 
-/// The value of an event, with what it may be off by.
+/// The value of an event with its uncertainty.
 fn known(event: &Event) -> String {
     let value = significant(event.value, DIGITS);
     if 0.0 < event.uncertainty { format!("{value} ± {}", magnitude(event.uncertainty)) } else { value }
 }
 
-/// The first and the last support, whose forces the table shows: names and numbers.
+/// The first and the last support, whose reactions the table shows, with name and index.
 pub(super) fn outermost(beam: &Beam) -> Vec<(&'static str, usize)> {
     match beam.all_supports()[..] {
         [] => Vec::new(),
@@ -373,7 +373,7 @@ pub(super) fn outermost(beam: &Beam) -> Vec<(&'static str, usize)> {
     }
 }
 
-/// What a row shows of an answer.
+/// The column headings of an answer.
 pub(super) fn header(outermost: &[(&str, usize)], labels: &Labels) -> Row {
     let mut header = ["status", "regime", "contacts"].map(str::to_owned).to_vec();
     header.push(labels.force.name("contact"));
@@ -382,7 +382,7 @@ pub(super) fn header(outermost: &[(&str, usize)], labels: &Labels) -> Row {
     header
 }
 
-/// The cells of an answer below this header.
+/// The cells of an answer below these headings.
 pub(super) fn row(answer: &Answer, outermost: &[(&str, usize)], labels: &Labels) -> Row {
     let state = &answer.solution.state;
     let mut cells = vec![
@@ -391,7 +391,7 @@ pub(super) fn row(answer: &Answer, outermost: &[(&str, usize)], labels: &Labels)
         state.contacts.len().to_string(),
     ];
     cells.push(labels.number(state.contact_force()));
-    // Two supports that come too close in a sweep are an error, so that each row has all of them.
+    // Two supports that come too close in a sweep are an error, so each row has all of them.
     cells.extend(
         outermost.iter().map(|&(_, i)| state.supports.get(i).map_or_else(String::new, |s| labels.number(s.force))),
     );

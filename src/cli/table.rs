@@ -1,14 +1,14 @@
-//! Tables and lists as text, and the labels of units in them.
+//! Tables and lists as text, and the unit labels in them.
 
 use std::fmt::Write as _;
 
 use palkki::scene::Units;
 use palkki::text::Results;
 
-/// Cells of a table.
+/// The cells of a row.
 pub(super) type Row = Vec<String>;
 
-/// Names and what they have, line by line.
+/// Names with their values, one per line.
 pub(super) fn list(lines: &[(impl AsRef<str>, String)]) -> String {
     let lines = || lines.iter().map(|(name, value)| (name.as_ref(), value));
     let width = lines().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
@@ -19,7 +19,7 @@ pub(super) fn list(lines: &[(impl AsRef<str>, String)]) -> String {
     })
 }
 
-/// A table with a title: columns of words are set flush left, columns with numbers flush right.
+/// A table with a title: columns of words are left-aligned, columns with numbers right-aligned.
 pub(super) fn table(title: &str, header: &[impl AsRef<str>], rows: &[Row]) -> String {
     let header: Row = header.iter().map(|cell| cell.as_ref().to_owned()).collect();
     let lines = || std::iter::once(&header).chain(rows);
@@ -48,24 +48,24 @@ pub(super) fn table(title: &str, header: &[impl AsRef<str>], rows: &[Row]) -> St
 pub(super) struct Label(Option<String>, Results);
 
 impl Label {
-    /// The name of a quantity, `moment [kN m]`.
+    /// The name of a quantity with its unit, `moment [kN m]`.
     pub(super) fn name(&self, name: &str) -> String {
         self.0.as_ref().map_or_else(|| name.to_owned(), |label| format!("{name} [{label}]"))
     }
 
-    /// A value, `2.5 kN m`.
+    /// A value with its unit, `2.5 kN m`.
     pub(super) fn value(&self, value: f64) -> String {
         let number = self.1.number(value);
         self.0.as_ref().map_or_else(|| number.clone(), |label| format!("{number} {label}"))
     }
 }
 
-/// The labels of a scene, and how its numbers are written.
+/// The unit labels of a scene, and the format of its numbers.
 pub(super) struct Labels {
     pub(super) results: Results,
     pub(super) length: Label,
     pub(super) force: Label,
-    /// Of a distributed load, or of a support that gives: force over length.
+    /// Force over length: for a distributed load or an elastic support.
     pub(super) density: Label,
     pub(super) moment: Label,
     pub(super) bending_stiffness: Label,
@@ -92,10 +92,10 @@ impl Labels {
     }
 }
 
-/// Rows of one kind that a person reads.
+/// Largest number of rows of one kind in a table.
 pub(super) const MOST_ROWS: usize = 200;
 
-/// A line that says how many of these were left out, if any were.
+/// A line with the number of entries that were left out; empty if there are none.
 pub(super) fn first(what: &str, there: usize, shown: usize) -> String {
     if shown < there { format!("The first {shown} of {there} {what}; --format json has all.\n") } else { String::new() }
 }

@@ -1,4 +1,4 @@
-//! Answers as tables for a person.
+//! Answers as text tables.
 
 use std::fmt::Display;
 
@@ -14,7 +14,7 @@ use super::given::given;
 use super::input::Input;
 use super::table::{Label, Labels, MOST_ROWS, Row, first, list, table};
 
-/// The status with its reason, in the first line, and the title of the scene, underlined.
+/// The status with its reason in the first line, and the underlined title of the scene.
 pub(super) fn heading<M>(status: impl Display, reason: &str, input: &Input<M>) -> String {
     titled(status, reason, input, input.warnings())
 }
@@ -25,13 +25,13 @@ pub(super) fn titled<M>(status: impl Display, reason: &str, input: &Input<M>, wa
     format!("{status}: {reason}\n\n{title}\n{}\n\n{}", "=".repeat(title.chars().count()), warning_lines(warnings))
 }
 
-/// Warnings as lines for a person, with a blank line behind them; empty if there are none.
+/// Warnings as lines of text, followed by a blank line; empty if there are none.
 pub(super) fn warning_lines(warnings: &[String]) -> String {
     let lines: String = warnings.iter().map(|warning| format!("Warning: {warning}.\n")).collect();
     if lines.is_empty() { lines } else { lines + "\n" }
 }
 
-/// Where the witness of a certificate is not the list of contacts of the beam.
+/// Printed if the candidate contact list was not proven to be the contact list of the beam.
 const COARSE: &str = "These bounds are true and wide: no contact list was proven to be that of the beam.\n";
 
 /// A bracket, rounded outwards; `none` without one.
@@ -40,12 +40,12 @@ fn bracket(of: Option<[f64; 2]>, labels: &Labels) -> [String; 2] {
     of.map_or_else(words, |[least, most]| [labels.results.at_least(least), labels.results.at_most(most)])
 }
 
-/// What is computed, and the bracket beside it: the bracket is of the true beam, and on a grid the computed value may lie outside it.
+/// Heading of the computed value. The bracket next to it applies to the true beam; on a grid the computed value may be outside it.
 pub(super) const COMPUTED: &str = "computed";
-/// See [`COMPUTED`].
+/// Headings of the bracket; see [`COMPUTED`].
 pub(super) const BRACKET: [&str; 2] = ["true value between", "and"];
 
-/// All that is guaranteed, of forces from elsewhere, which have no numbers of their own to stand beside.
+/// All bounds for forces from elsewhere, which have no computed values to be printed with.
 pub(super) fn bounds(certificate: &Certificate, labels: &Labels) -> String {
     let mut rows: Vec<Row> = Vec::new();
     let mut add = |name: String, of: Option<[f64; 2]>| {
@@ -67,7 +67,7 @@ pub(super) fn bounds(certificate: &Certificate, labels: &Labels) -> String {
     text_of(certificate, rows, &first("supports", count, count.min(MOST_ROWS)), labels)
 }
 
-/// What is guaranteed besides the brackets that stand beside their numbers.
+/// The bounds that are not printed next to a computed value.
 fn others(certificate: &Certificate, labels: &Labels) -> String {
     text_of(certificate, Vec::new(), "", labels)
 }
@@ -88,7 +88,7 @@ fn text_of(certificate: &Certificate, mut rows: Vec<Row>, left_out: &str, labels
     if certificate.contacts_proven { table } else { table + COARSE }
 }
 
-/// The answer of `solve`: how it was found, equilibrium, contacts, extremes, and what is guaranteed.
+/// The answer of `solve`: method and solver, equilibrium, contacts, extremes and bounds.
 pub(super) fn solve(input: &Input, answer: &Answer, nodes: bool) -> String {
     let labels = input.labels();
     let warnings = answer.warnings(input);
@@ -120,7 +120,7 @@ pub(super) fn solve(input: &Input, answer: &Answer, nodes: bool) -> String {
     text
 }
 
-/// Why the status is what it is.
+/// The reason for the status.
 fn reason(answer: &Answer) -> String {
     let solution = &answer.solution;
     let residual =
@@ -196,7 +196,7 @@ fn equilibrium(input: &Input, answer: &Answer, labels: &Labels) -> String {
     }));
     let known = bracket(certificate.and_then(|c| c.contact_force), labels);
     rows.push(row("contact".to_owned(), labels.number(contact), "up", known));
-    // That is rounding, of which only the size is of interest.
+    // This is rounding, of which only the magnitude matters.
     rows.push(row("equilibrium residual".to_owned(), magnitude(remains), "", none()));
     let mut text = table("Equilibrium", &["", &labels.force.name(COMPUTED), "", BRACKET[0], BRACKET[1]], &rows);
     text += &first("supports", state.supports.len(), state.supports.len().min(MOST_ROWS));
@@ -214,7 +214,7 @@ fn equilibrium(input: &Input, answer: &Answer, labels: &Labels) -> String {
     text
 }
 
-/// What a support is called: by its end of the beam, if it is not the only one.
+/// The name of a support: by its end of the beam, unless it is the only support.
 fn support_at(at: f64, length: f64, is_only: bool, labels: &Labels) -> String {
     match at {
         0.0 if !is_only => "left support".to_owned(),
@@ -223,7 +223,7 @@ fn support_at(at: f64, length: f64, is_only: bool, labels: &Labels) -> String {
     }
 }
 
-/// Whether a beam that its supports do not hold turns over.
+/// The stability of a beam that its supports do not hold.
 fn stands(standing: &Standing, labels: &Labels) -> String {
     let Standing { resultant, margin, motion } = standing;
     let margin_in_words =
@@ -274,7 +274,7 @@ fn contacts(contacts: &[Contact], labels: &Labels) -> String {
     table("Contacts", &header, &rows)
 }
 
-/// One line that says where the beam lies without pressing.
+/// One line with the positions at which the beam touches without pressing.
 fn touches(touches: &[Touch], labels: &Labels) -> String {
     if touches.is_empty() {
         return String::new();
@@ -288,7 +288,7 @@ fn touches(touches: &[Touch], labels: &Labels) -> String {
     format!("Without pressing, the beam touches {shown}{more}\n")
 }
 
-/// The stretches between contacts; with the position of a beam that has another one than its deflection, or no support.
+/// The spans between contacts, with the position of the beam if it has an initial shape or no supports.
 fn spans(beam: &Beam, exact: &Exact, labels: &Labels) -> String {
     let spans = exact.free_spans(beam);
     if spans.is_empty() {
@@ -327,7 +327,7 @@ fn extremes(answer: &Answer, labels: &Labels) -> String {
     let (v, m) = (&labels.length, &labels.moment);
     let largest = bracket(certificate.and_then(|c| c.deflection_max), labels);
     let mut rows = vec![row(named("largest deflection", v), max, Some(max_at), largest)];
-    // Of the least deflection nothing is guaranteed.
+    // The least deflection has no bracket.
     rows.push(row(named("least deflection", v), min, Some(min_at), bracket(None, labels)));
     let Extremes { max, max_at, min, min_at } = state.moment;
     rows.push(row(named("largest moment", m), max, Some(max_at), bracket(moments[0], labels)));
@@ -342,7 +342,7 @@ fn extremes(answer: &Answer, labels: &Labels) -> String {
 
 fn table_of_nodes(nodes: &Nodes, labels: &Labels) -> String {
     let columns = [&nodes.deflection, &nodes.clearance, &nodes.contact_force, &nodes.moment];
-    // A supported end is node 0, and has no row.
+    // A supported end is node 0 and has no row.
     let first = usize::from(nodes.x.first().is_none_or(|x| 0.0 < *x));
     let rows: Vec<Row> = (0..nodes.x.len())
         .map(|i| {

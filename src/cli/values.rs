@@ -1,4 +1,4 @@
-//! The words that options take.
+//! The words that options accept.
 
 use clap::ValueEnum;
 use clap::builder::PossibleValue;

@@ -1,4 +1,6 @@
-//! The equations of a beam on an elastic foundation: nodes, links, and what both links beside a node say of its slope and of its force.
+//! The equations of a chain of links: on an elastic foundation or under an axial force.
+//!
+//! The output lists nodes, links, and the slope and force at each node from both adjacent links.
 
 use palkki::explain::{Chain, ChainNode, Link, Parts};
 use palkki::text::magnitude;
@@ -6,7 +8,7 @@ use palkki::text::magnitude;
 use super::{Explained, ROUNDING, tabled};
 use crate::cli::table::{Labels, Row};
 
-/// The two formulas of a link, for each of its ends, as text and in TeX.
+/// The two formulas for each end of a link, as text and in TeX.
 const FORMULAS: [[&str; 2]; 4] = [
     [
         "v'(l) = c (v(r) - v(l)) - eta v(l) + w M(l) + omega M(r) + s(l)",
@@ -26,7 +28,7 @@ const FORMULAS: [[&str; 2]; 4] = [
     ],
 ];
 
-/// All of a chain.
+/// The whole text of a chain.
 pub(super) fn text(chain: &Chain, labels: &Labels, form: Explained) -> String {
     let page = Page { chain, labels, form };
     page.tension()
@@ -39,7 +41,7 @@ pub(super) fn text(chain: &Chain, labels: &Labels, form: Explained) -> String {
         + &page.forces()
 }
 
-/// A chain that is written.
+/// A chain to be written.
 struct Page<'a> {
     chain: &'a Chain,
     labels: &'a Labels,
@@ -51,7 +53,7 @@ impl Page<'_> {
         self.labels.number(value)
     }
 
-    /// A number beside others: what is left of rounding is nothing.
+    /// A number, with 0 in place of rounding compared with `size`.
     fn beside(&self, value: f64, size: f64) -> String {
         self.number(if value.abs() <= ROUNDING * size { 0.0 } else { value })
     }
@@ -145,13 +147,13 @@ impl Page<'_> {
         }
     }
 
-    /// What `v`, `M` and load make of a number at an end of a link, and their sum.
+    /// The contributions of `v`, `M` and load to a number at an end of a link, and their sum.
     fn parts(&self, parts: Option<Parts>) -> [String; 4] {
         let Some(parts) = parts else { return ["", "", "", "none"].map(str::to_owned) };
         [parts.deflections, parts.moments, parts.load, parts.sum()].map(|part| self.beside(part, parts.size()))
     }
 
-    /// How well the equations of a kind hold, as a share of the largest part.
+    /// The largest residual of one kind of equations, as a share of the largest contribution.
     fn holds(&self, kind: usize, of: impl Fn(usize) -> [Option<Parts>; 2]) -> String {
         let off = (0..self.chain.nodes.len()).map(|node| {
             let size =
@@ -173,7 +175,7 @@ impl Page<'_> {
             + &self.holds(0, |node| self.chain.slopes(node))
     }
 
-    /// What joints turn by.
+    /// The rotations of joints.
     fn joints(&self) -> String {
         let joints = self.chain.nodes.iter().enumerate().filter_map(|(i, node)| Some((i + 1, node, node.joint?)));
         let line = |(i, node, k): (usize, &ChainNode, f64)| match k {
