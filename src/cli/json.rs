@@ -1,5 +1,7 @@
-//! Answers as JSON. `serde_json` prints an `f64` with enough digits to read the same number back, and `null` for a number that is not
-//! finite: a clearance where there is no foundation, or a difference relative to zero.
+//! Answers as JSON.
+//!
+//! `serde_json` prints an `f64` with enough digits to read the same number back, and `null` for a number that is not finite: a
+//! clearance where there is no foundation, or a difference relative to zero.
 //!
 //! Types whose fields are the same here as in the library are serialised there. This module contains what the contract orders or
 //! names differently.

@@ -16,8 +16,8 @@ use crate::state::{Extremes, SupportForce};
 ///
 /// # Errors
 ///
-/// A [`PlotError`] for lists of unequal length and for numbers that are not finite; a clearance above a gap in the foundation may be
-/// infinite.
+/// A [`PlotError`] for lists of unequal length and for numbers that are not finite; a clearance may be infinite where there is no
+/// foundation.
 pub fn curves(scene: &Scene, curves: &Curves, subtitle: &str) -> Result<String, PlotError> {
     same_length("the deflections", &curves.deflection, &curves.x)?;
     same_length("the clearances", &curves.clearance, &curves.x)?;

@@ -147,9 +147,10 @@ impl Explanation {
         Self { lifted: lifted.collect(), laws, nodes, spans, overhangs, equations, stiffness }
     }
 
-    /// The unknowns of the equations: nodes, for a moment with whether it is the one just right of the node, and [`None`] for a position.
+    /// The unknowns of the equations, each with its node: a moment with whether it is the one just right of the node, or [`None`] for
+    /// a position or the deflection of a hinge.
     ///
-    /// There are as many unknowns as equations plus hinges off the foundation; a hinge has no force, which determines its deflection.
+    /// There are as many unknowns as equations plus hinges off the foundation; the deflection of a hinge follows from its zero force.
     /// The remaining moments are given: by overhangs, by the foundation along which the beam lies, or as zero at an end.
     #[must_use]
     pub fn unknowns(&self) -> Vec<(usize, Option<bool>)> {

@@ -1,5 +1,4 @@
-//! The coefficients of a span in the three-moment equations, from its load and its end moments, also where the bending stiffness
-//! changes on it.
+//! The coefficients of a span in the three-moment equations, also where the bending stiffness changes on it.
 //!
 //! With `ξ` from the left end, `EI₀` the least bending stiffness, and `m₀` the moments of the load on a simple beam:
 //!

@@ -1,10 +1,10 @@
 //! Follows contacts from one answer to the next to find events.
 //!
-//! From each value on, the contacts of its answer are kept and only move. The conditions that they violate at the end of an interval
-//! are named, and the first root of the margins of these conditions is the event. Margins are contact forces, the bend beside a
-//! point, the length of a zone and clearances. Just beyond the event the beam is solved again, and the rest of the interval is
-//! treated in the same way. If no margin can be followed, the kind of the answer itself is bisected. Between two answers of one kind,
-//! a margin that comes close to zero on the way is followed to its least value.
+//! From each value on, the contacts of its answer are kept and only move. Every condition that they violate at the end of an interval
+//! has a margin: a contact force, the bend beside a point, the length of a zone or a clearance. The first root of these margins is
+//! the event. Just beyond the event the beam is solved again, and the rest of the interval is treated in the same way. If no margin
+//! can be followed, the kind of the answer itself is bisected. Between two answers of one kind, a margin that comes close to zero on
+//! the way is followed to its least value.
 
 use std::collections::HashMap;
 

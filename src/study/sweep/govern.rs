@@ -18,7 +18,7 @@ use crate::theory::Exact;
 /// quarter of them no result differs.
 const PLACES: usize = 256;
 
-/// Minimum number of values per support: a support between two others has one peak for many of its forces.
+/// Minimum number of values per support: within a span between two supports, many reactions have a peak.
 const PER_SUPPORT: usize = 8;
 
 /// An interval is not divided if its estimate exceeds the highest sample by less than this share: the governing value is known to six

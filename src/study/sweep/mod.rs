@@ -1,5 +1,4 @@
-//! Sweeps: one number of a scene varied, with a certified exact answer for each value and the events at which the kind of the answer
-//! changes.
+//! Sweeps: one number of a scene varied, with a certified exact answer for each value, and the events between them.
 //!
 //! Each answer starts from the contacts of its neighbour and is checked like any other. An [`Event`] is a value at which a contact
 //! appears or is lost, becomes a zone or a point, splits, merges or moves over an edge, or at which a support starts or stops being
