@@ -7,7 +7,7 @@
 //! J*(u + δ) ≤ J* ≤ J*(u − δ)                            proven, from the certificates of two solves
 //! J_free < J*(u + δ)                                    the beam touches, whatever the depths are
 //! its supports do not hold it                           it touches, whatever the depths are
-//! the beam above u − δ touches nowhere                  nor does it touch at any other depths
+//! the beam above u − δ touches nowhere                  nor does it touch for any depths within ±δ
 //! |R − R(u)| ≈ δ Σ |∂R/∂u_i|  over the contacts i        an estimate: the list of contacts does not change
 //! ```
 
