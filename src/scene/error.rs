@@ -307,7 +307,7 @@ pub enum SceneError {
         /// The value of the derived number.
         value: f64,
     },
-    /// A position that needs a node lies between nodes of the grid.
+    /// A position that needs a node of its own has none on the grid.
     #[error("no node of {intervals} equal intervals lies on {} at x = {}; {}", placed(*quantity), shown(*at), fitting(*fits))]
     BetweenNodes {
         /// The position of a support, a joint or a step of the bending stiffness.

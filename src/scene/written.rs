@@ -53,7 +53,7 @@ pub(super) fn rounded(value: f64) -> String {
     shown(format!("{value:.3e}").parse().unwrap_or(value))
 }
 
-/// A position outside the beam with four significant digits, or with all digits if rounding would move it onto the beam.
+/// A position outside a range with four significant digits, or with all digits if rounding would move it into the range.
 pub(super) fn beside(at: f64, [from, to]: [f64; 2]) -> String {
     let rounded: f64 = format!("{at:.3e}").parse().unwrap_or(at);
     if (from..=to).contains(&rounded) { in_full(at) } else { shown(rounded) }
