@@ -274,7 +274,7 @@ impl ContactState {
     }
 
     /// The range of the deflection along the beam \[length\], if it exceeds about a tenth of the length. The theory is linear and
-    /// takes `v''` for the curvature. In a half wave with a height of a tenth of its length the slope reaches π/10, and the
+    /// uses `v''` as the curvature. In a half wave with a height of a tenth of its length the slope reaches π/10, and the
     /// curvature there is `(1 + π²/100)^-3/2 = 0.87` times as large.
     #[must_use]
     pub fn large_deflection(&self, length: f64) -> Option<f64> {

@@ -1,4 +1,4 @@
-//! The foundation: uneven, of known depth `u(x)`.
+//! The foundation: an uneven profile of known depth `u(x)`. Initial shapes of the beam use the same kinds of profile.
 
 use std::ops::Range;
 
