@@ -17,41 +17,41 @@
 //! use palkki::scene::{Beam, Foundation, Load, Scene};
 //! use palkki::{Settings, solve_exactly, solve};
 //!
-//! // The example of the paper: a beam that would sag a hundred times as far as the ground lies below it.
+//! // The example of the paper. Without a foundation the beam would sag a hundred times as far as the foundation is below it.
 //! let beam = Beam::new(10.0, 500.0 / 384.0)?;
 //! let load = Load::uniform_on(&beam, 1.0)?;
 //! let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 1.0 }))?;
 //!
-//! // Beam theory: the lift-off points are unknowns, and there is no grid.
+//! // Grid-free solution by beam theory: the lift-off positions are unknowns.
 //! let exact = solve_exactly(&scene)?;
 //! assert_eq!(exact.verdict.status, Status::Certified);
 //!
-//! // A method of the paper with a solver, on 300 equal intervals, and how far it can be from the truth.
+//! // A method of the paper with a solver, on 300 equal intervals, and the bound on its error.
 //! let solution = solve(&scene, &Settings::new(Method::Force, Solver::ActiveSet, 300))?;
 //! let error = solution.state.deflection.max - exact.state.deflection.max;
 //! assert!(solution.verdict.certificate.is_some_and(|bounds| error.abs() <= bounds.deflection_error));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! | what | where |
+//! | task | item |
 //! |---|---|
 //! | read a scene file | [`scene::file::parse`] |
-//! | solve exactly; by a method and a solver on a grid | [`solve_exactly`], [`solve()`] |
-//! | ask for an accuracy, and have the grid chosen | [`adaptive::adapt`] |
-//! | bound the error of contact forces from elsewhere | [`certificate::certify`], [`verdict::Verdict::of_forces`] |
+//! | solve by beam theory; solve with a method and a solver on a grid | [`solve_exactly`], [`solve()`] |
+//! | request an accuracy and let the program choose the grid | [`adaptive::adapt`] |
+//! | bound the error of contact forces from another program | [`certificate::certify`], [`verdict::Verdict::of_forces`] |
 //! | solve any elastic body, and bound the error of any answer for it | [`body::Body`], [`body::proof::prove`] |
-//! | draw | `plot::curves`, with the feature `plot` |
-//! | prove an answer to anybody | `proof::prove`, with the feature `proof` |
+//! | draw figures | `plot::curves`, with the feature `plot` |
+//! | write a proof that others can check | `proof::prove`, with the feature `proof` |
 //!
 //! # Features
 //!
 //! | feature | what it adds |
 //! |---|---|
-//! | none of them | the exact solution, the three methods, the solvers by hand, the certificate, scene files: pure Rust |
+//! | none | the grid-free solution, the three methods, our own solvers, the certificate, scene files: pure Rust |
 //! | `clarabel` | the interior-point solver |
-//! | `osqp` | the operator-splitting solver, a library in C whose build asks for cmake |
+//! | `osqp` | the operator-splitting solver, a C library whose build needs cmake |
 //! | `plot` | figures as SVG |
-//! | `proof` | proofs of answers in fractions |
+//! | `proof` | proofs of answers in rational arithmetic |
 //! | `serde` | `Serialize` for answers |
 //! | `cli` | the program |
 //!
@@ -59,27 +59,27 @@
 //!
 //! | paper | name here | unit | sign and meaning | equation |
 //! |---|---|---|---|---|
-//! | `x`, `l` | `x`, `length` | length | from the left end of the beam, at 0, to the right one | (4) |
-//! | `EI` | `bending_stiffness` | force · length² | constant along the beam | (5) |
+//! | `x`, `l` | `x`, `length` | length | position, from 0 at the left end of the beam to `l` at the right end | (4) |
+//! | `EI` | `bending_stiffness` | force · length² | constant along the beam in the paper; here it may vary in steps | (5) |
 //! | `q` | `load` | force / length | downwards; nodal loads are forces `q_i = q₀Δ` | (5), (27) |
 //! | `u` | `depth` | length | of the foundation, downwards from the straight beam on supports at level 0 | (6) |
-//! | | `gap` | length | `g = u − w0`, with the shape `w0` of the unloaded beam; of a straight beam `u` | |
+//! | | `gap` | length | `g = u − w0`, with the initial shape `w0` of the beam; `g = u` for a straight beam | |
 //! | `v` | `deflection` | length | downwards, from the unloaded beam | (5), (17) |
 //! | `h` | `clearance` | length | `g − v`, the paper's `u − v`; not negative | (6) |
 //! | `p` | `contact_force`, `pressure` | force, force / length | of the foundation on the beam, upwards | (5) |
-//! | `T` | `reaction`, `force_from`, `force_to` | force | of a support, and at the ends of a zone, upwards; on flat ground they are equal | |
+//! | `T` | `reaction`, `force_from`, `force_to` | force | upwards, at supports and ends of contact zones; equal on a flat foundation | |
 //! | | `moment` | force · length | `M = −EI v''`, positive with the underside in tension | |
 //! | `J` | `energy` | force · length | `½∫EI v''² dx − ∫q v dx` | (17) |
-//! | `A`, `b`, `g` | `matrix`, `linear`, `gradient` | | of the quadratic program of every method; `g` is the gap elsewhere | (32), (33) |
+//! | `A`, `b`, `g` | `matrix`, `linear`, `gradient` | | of the quadratic program of each method; elsewhere `g` is the gap | (32), (33) |
 //! | `K`, `C` | `Displacement`, `Force` | force / length, length / force | condensed stiffness, flexibility; `K C = I` | (20), (26) |
 //! | `n`, `Δ` | `interior`, `spacing` | 1, length | interior nodes; `Δ = l / (n + 1)` | (26) |
 //!
 //! # Modules
 //!
-//! [`solve()`] goes from [`scene`] through [`methods`], [`qp`], [`solvers`] and [`methods`] again to a [`state`], [`solve_exactly`]
-//! through [`theory`]; both go on to [`certificate`] and [`verdict`]. Any elastic [`body`] goes from its matrix through [`qp`] and
-//! [`solvers`] to a proof of its own, and to the verdict. ARCHITECTURE.md has the map. Claims and figures of the paper, faults and
-//! scenes with known answers are the package `palkki-evidence`.
+//! [`solve()`] passes a [`scene`] through [`methods`], [`qp`], [`solvers`] and [`methods`] again to obtain a [`state`].
+//! [`solve_exactly`] uses [`theory`] instead. Both then call [`certificate`] and [`verdict`]. For an elastic [`body`], [`qp`] and
+//! [`solvers`] use its matrix; the body has its own proof, from which the verdict follows. ARCHITECTURE.md contains the map. The
+//! claims and figures of the paper, fault injection and scenes with known answers are in the package `palkki-evidence`.
 
 #![warn(clippy::disallowed_methods)]
 

@@ -1,4 +1,4 @@
-//! From a scene to its answer: the way there, its names, and what an answer is.
+//! From a scene to its answer: the solution procedure, the names of methods and solvers, and the contents of an answer.
 
 pub mod route;
 pub(crate) mod solve;

@@ -1,4 +1,4 @@
-//! From a scene to a verdict: by a method and a solver on a grid ([`solve`]), or by beam theory ([`solve_exactly`]).
+//! Solves a scene and adds the verdict: with a method and a solver on a grid ([`solve`]), or by beam theory ([`solve_exactly`]).
 //!
 //! ```text
 //! scene → Discrete → quadratic program (32) → solver → Nodal → ContactState → Solution<()> → Solution
@@ -22,17 +22,17 @@ use crate::witness::Witness;
 /// A route (a method and a solver) and its grid.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
-    /// Which of the paper's methods sets up the quadratic program.
+    /// The method of the paper that sets up the quadratic program.
     pub method: Method,
-    /// Which solver solves it.
+    /// The solver of the quadratic program.
     pub solver: Solver,
     /// Number `N` of equal intervals, at least 2.
     pub intervals: usize,
-    /// Scaled KKT residual at which an iterative solver may stop. It does not loosen the verdict.
+    /// Scaled KKT residual at which an iterative solver may stop. It has no effect on the limits of the verdict.
     pub tolerance: f64,
 }
 
-/// Default of [`Settings::tolerance`]: a tenth of what our check demands.
+/// Default of [`Settings::tolerance`]: a tenth of the residual that our check allows.
 pub const DEFAULT_TOLERANCE: f64 = 1e-10;
 
 impl Settings {
@@ -43,7 +43,7 @@ impl Settings {
     }
 }
 
-/// Solves `scene` by one route, and checks the answer.
+/// Solves `scene` by one route and checks the answer.
 ///
 /// ```
 /// use palkki::route::{Method, Solver, Status};
@@ -61,13 +61,13 @@ impl Settings {
 ///
 /// # Errors
 ///
-/// Those of [`solve_raw`]. An answer that fails our check is no error: its [`Verdict`] has the reason.
+/// Those of [`solve_raw`]. An answer that fails our check is not an error: its [`Verdict`] contains the reason.
 pub fn solve(scene: &Scene, settings: &Settings) -> Result<Solution, SceneError> {
     let witness = Witness::of(scene);
     Ok(solve_raw_near(&witness, settings)?.judged(&witness, &Demand::default()))
 }
 
-/// Solves `scene` by beam theory, without a grid, and checks the answer: the places where the beam lifts off are unknowns.
+/// Solves `scene` by beam theory, without a grid, and checks the answer. The lift-off positions are unknowns.
 ///
 /// ```
 /// use palkki::scene::{Beam, Foundation, Load, Scene};
@@ -76,7 +76,7 @@ pub fn solve(scene: &Scene, settings: &Settings) -> Result<Solution, SceneError>
 /// let beam = Beam::new(10.0, 500.0 / 384.0)?;
 /// let scene = Scene::new(beam.clone(), Load::uniform_on(&beam, 1.0)?, Some(Foundation::Flat { depth: 1.0 }))?;
 /// let solution = solve_exactly(&scene)?;
-/// // On flat ground the beam lifts off at a = ⁴√(24 EI u / q), here 2.364 from the support, and presses with q a / 2 there.
+/// // On a flat foundation the beam lifts off at a = ⁴√(24 EI u / q), here 2.364 from the support, with a concentrated force q a / 2.
 /// let a = (24.0_f64 * 500.0 / 384.0).sqrt().sqrt();
 /// let zone = solution.state.contacts[0];
 /// assert!((zone.from - a).abs() < 1e-9 && (a - 2.364_354).abs() < 1e-6);
@@ -95,7 +95,7 @@ pub fn solve_exactly(scene: &Scene) -> Result<Solution, TheoryError> {
 }
 
 impl Solution<()> {
-    /// An answer on a grid with our verdict. One witness serves all answers of a scene.
+    /// Adds the verdict to an answer on a grid. One candidate contact list is enough for all answers of a scene.
     #[must_use]
     pub fn judged(self, witness: &Witness<'_>, demand: &Demand) -> Solution {
         let verdict = Verdict::of_raw(&self, witness, demand);
@@ -105,7 +105,7 @@ impl Solution<()> {
 }
 
 impl Exact {
-    /// With our verdict.
+    /// Adds the verdict.
     #[must_use]
     pub fn judged(self, scene: &Scene, demand: &Demand) -> Solution {
         let message = self.message();
@@ -120,7 +120,7 @@ impl Exact {
         }
     }
 
-    /// The message of beam theory on its answer.
+    /// The message of beam theory about its answer.
     fn message(&self) -> String {
         let lists = match self.lists {
             solves if self.state.pressure.is_some() => format!("{solves} linear problems solved"),
@@ -135,21 +135,22 @@ impl Exact {
     }
 }
 
-/// Solves `scene` by one route, and does not check the answer.
+/// Solves `scene` by one route without checking the answer.
 ///
-/// A scene with nothing to touch needs no quadratic program and no solver.
+/// A scene without an obstacle needs neither a quadratic program nor a solver.
 ///
 /// # Errors
 ///
-/// A [`SceneError`] if a support is between the nodes of the grid, if nothing balances the loads, or if the scene leaves the range
-/// of `f64`. A solver that fails is no error: [`Solution::solved`] is false then.
+/// A [`SceneError`] if the grid has too few intervals or no node at a support, joint or step of the bending stiffness; if nothing
+/// balances the loads; if the beam buckles; or if numbers exceed the range of `f64`. A solver failure is not an error:
+/// [`Solution::solved`] is then false.
 pub fn solve_raw(scene: &Scene, settings: &Settings) -> Result<Solution<()>, SceneError> {
     by_route(scene, settings, Start::Anywhere)
 }
 
-/// The same for a scene whose answers have a witness. Where a survey has points between the nodes of coarser grids, the active set
-/// starts from the contacts of beam theory: that costs no more, since the certificate needs them as well, and is far nearer. The
-/// solver's message mentions it.
+/// Solves a scene that has a candidate contact list, like [`solve_raw`]. If a survey has points between the nodes of coarser
+/// grids, the active set starts from the contacts of beam theory, and the solver message says so. They are far nearer to the
+/// solution and cost nothing extra, because the certificate also needs them.
 ///
 /// # Errors
 ///
@@ -158,8 +159,8 @@ pub fn solve_raw_near(witness: &Witness<'_>, settings: &Settings) -> Result<Solu
     by_route(witness.scene(), settings, Start::Near(witness))
 }
 
-/// The row of a route that is left out of a comparison: an answer without numbers, for which the solver is not run. `why` takes
-/// the place of the solver's message.
+/// An answer without numbers, for a route that is omitted from a comparison: the solver is not run. `why` replaces the solver
+/// message.
 ///
 /// # Errors
 ///
@@ -168,12 +169,12 @@ pub fn left_out(scene: &Scene, settings: &Settings, why: String) -> Result<Solut
     by_route(scene, settings, Start::LeftOut(why))
 }
 
-/// How a route starts.
+/// The start of a route.
 enum Start<'a> {
     Anywhere,
-    /// Near the contacts of a witness, where it has better ones than coarser grids.
+    /// From the contacts of the candidate list, where they are better than those of coarser grids.
     Near(&'a Witness<'a>),
-    /// Not at all, for this reason.
+    /// The route is omitted, for this reason.
     LeftOut(String),
 }
 
@@ -186,15 +187,15 @@ fn by_route(scene: &Scene, settings: &Settings, start: Start<'_>) -> Result<Solu
     let (mut nodal, answer, unknowns) = if !scene.has_obstacle() {
         (methods::free_beam(&discrete, discretisation), Answer::empty("no foundation, nothing to solve".to_owned()), 0)
     } else {
-        // On nested grids, in contact forces and without the program, whatever the method. Without ground there are few places to
-        // touch, of which coarser grids have none; and these grids know nodes only.
+        // Nested grids work with contact forces and without the program, whatever the method. They support only obstacles at
+        // nodes: without a foundation there are few positions of contact, of which coarser grids have none.
         let at_nodes = !discrete.has_open_nodes() && discrete.supports().stops().is_empty();
         let nested = solver == Solver::ActiveSet && at_nodes;
         let alone = discrete.unknowns() < discrete.supports().lacking();
         let program = method.qp(&discrete);
         let mut answer = match (start, solver) {
             (Start::LeftOut(why), _) => Answer::refused(program.dimension(), why),
-            // A single place to touch: it carries the beam, if the loads are in balance there.
+            // A single position of contact: it carries the beam if the loads are balanced there.
             _ if alone => Answer { x: vec![0.0], gradient: vec![0.0], ..Answer::empty("nothing to solve".to_owned()) },
             (Start::Near(witness), Solver::ActiveSet) if nested => near(witness, &scaled.scene, method, &discrete)?,
             (Start::Anywhere, Solver::ActiveSet) if nested => multigrid::solve(&scaled.scene, method, &discrete, None)?,
@@ -204,14 +205,14 @@ fn by_route(scene: &Scene, settings: &Settings, start: Start<'_>) -> Result<Solu
         let nodal = if alone {
             Nodal::resting(&discrete, discretisation)
         } else if nested {
-            // Contact forces and clearances, by all methods.
+            // All methods return contact forces and clearances.
             Nodal::new(&discrete, discretisation, gradient, x)
         } else {
             method.nodal(&discrete, x, gradient)
         };
         (nodal, answer, program.dimension())
     };
-    // A beam in balance on one place may have many positions: take the one nearest to slope zero.
+    // A beam balanced on one position may have many positions of equilibrium: take the one with the slope nearest to zero.
     let mut motion = None;
     if let Some(node) = methods::single_contact(&discrete, &scaled.balance, &nodal)
         && let Some((nearest, free)) = methods::balanced(&discrete, discretisation, node)
@@ -227,7 +228,7 @@ fn by_route(scene: &Scene, settings: &Settings, start: Start<'_>) -> Result<Solu
     Ok(Solution { state, verdict: (), solved, run: answer.run, residual, unknowns, exact: None })
 }
 
-/// The active set from the contacts of a witness, if these are worth a start.
+/// Runs the active set, starting from the contacts of the candidate list if they are a useful start.
 fn near(witness: &Witness<'_>, scaled: &Scene, method: Method, discrete: &Discrete) -> Result<Answer, SceneError> {
     let length = witness.scene().beam().length();
     let contacts = multigrid::coarser(discrete.intervals).and_then(|coarse| witness.start(discrete.intervals, coarse));

@@ -1,4 +1,4 @@
-//! The result of every method, and of theory: the beam in its final position, and the forces that hold it there.
+//! The result of every method and of beam theory: the beam in its final position, with reactions and contact forces.
 
 mod extremes;
 
@@ -6,68 +6,69 @@ pub use extremes::Extremes;
 
 use crate::scene::{Resultant, Scale};
 
-/// The force with which a support holds the beam.
+/// The reaction of a support.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SupportForce {
-    /// Where the support is \[length\].
+    /// Position of the support \[length\].
     pub at: f64,
-    /// Upwards; negative where the support holds the beam down \[force\].
+    /// Reaction, positive upwards; negative where the support holds the beam down \[force\].
     pub force: f64,
-    /// Bending moment of the beam beside a built-in support, positive with the underside in tension; inside the beam, where the
-    /// two sides differ, the one that is larger in magnitude. [`None`] for a simple support \[force · length\].
+    /// Bending moment of the beam next to a built-in support, positive with the underside in tension \[force · length\]. Inside
+    /// the beam, where it differs on the two sides, it is the moment with the larger magnitude. [`None`] for a simple support.
     pub moment: Option<f64>,
-    /// The couple that a built-in support exerts: the moment to its right less that to its left \[force · length\].
+    /// The couple that a built-in support exerts: the moment to its right minus the moment to its left \[force · length\].
     #[cfg_attr(feature = "serde", serde(skip))]
     pub couple: f64,
-    /// True if it only pushes: its force is zero where the beam has lifted off.
+    /// True for a compression-only support. Its reaction is zero where the beam has lifted off.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub pushes_only: bool,
 }
 
 impl SupportForce {
-    /// That of a support that only pushes.
+    /// The reaction of a compression-only support.
     #[must_use]
     pub(crate) fn pushing(at: f64, force: f64) -> Self {
         Self { at, force, moment: None, couple: 0.0, pushes_only: true }
     }
 }
 
-/// Of the moments on both sides of a place the one that is larger in magnitude, and the left one where rounding would decide.
+/// The moment with the larger magnitude of the two sides of a position; the left one if rounding would decide.
 pub(crate) fn larger_moment([left, right]: [f64; 2]) -> f64 {
-    /// Magnitudes that differ by this share of themselves are one: both are sums of forces times levers.
+    /// Magnitudes with a smaller relative difference count as equal: both are sums of forces times lever arms.
     const ALIKE: f64 = 1e-12;
     if (1.0 + ALIKE) * left.abs() < right.abs() { right } else { left }
 }
 
-/// How a beam stands on the ground that its supports do not hold against turning or moving.
+/// The equilibrium of a beam that its supports alone do not hold.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Standing {
-    /// The resultant of its loads.
+    /// The resultant of the loads.
     pub resultant: Resultant,
-    /// Safety against overturning: the distance of the resultant from the nearer one of the two outermost places that carry or touch
-    /// the beam, supports included, as a share of the distance of these two: from 0 to 0.5. Zero if there is only one place, not a number
-    /// if there is none, or if a support holds the beam down and the resultant lies beyond both.
+    /// Safety against overturning, from 0 to 0.5. It is the distance of the resultant from the nearer of the two outermost
+    /// positions that carry or touch the beam, supports included, divided by the distance between these two. It is zero if there
+    /// is only one such position. It is NaN if there is none, or if a support holds the beam down and the resultant is outside
+    /// both positions.
     pub margin: f64,
-    /// The positions that are left, if there is more than one.
+    /// The other positions of equilibrium, if there is more than one.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub motion: Option<Motion>,
 }
 
-/// Positions of rest that differ by a rotation of the whole beam. Forces, moments and energy are the same in all of them; a state
-/// has the deflection whose slope at the place of rotation is nearest to zero.
+/// Positions of equilibrium that differ by a rotation of the whole beam. Forces, moments and energy are the same in all of them.
+/// A state contains the deflection whose slope at the centre of rotation is nearest to zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Motion {
-    /// The place about which the beam turns \[length\].
+    /// Centre of rotation of the beam \[length\].
     pub about: f64,
-    /// Least and greatest slope `v'` there, positive where the beam goes down to the right; [`None`] for a side without end.
+    /// Smallest and greatest slope `v'` there, positive where the beam goes down to the right; [`None`] for an unlimited side.
     pub slope: [Option<f64>; 2],
 }
 
-/// Upward forces of the supports at the two ends of the beam \[force\]. Zero where an end has none: [`ContactState::supports`] says
-/// which supports there are.
+/// Upward reactions at the two ends of the beam \[force\]; zero at an end without a support. [`ContactState::supports`] lists the
+/// existing supports.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Reactions {
@@ -78,27 +79,27 @@ pub struct Reactions {
 }
 
 impl Reactions {
-    /// Of those supports of a beam that stand at its ends.
+    /// The reactions of the supports at the two ends.
     pub(crate) fn of(supports: &[SupportForce], length: f64) -> Self {
         let at = |x: f64| supports.iter().find(|s| s.at <= x && x <= s.at).map_or(0.0, |s| s.force);
         Self { left: at(0.0), right: at(length) }
     }
 }
 
-/// How much of the foundation the beam touches.
+/// The kind of contact between beam and foundation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
 pub enum Regime {
-    /// Nowhere.
+    /// No contact.
     None,
-    /// At single points only.
+    /// Contact only at single points.
     Points,
-    /// Over at least one interval.
+    /// Contact over at least one interval.
     Zone,
 }
 
 impl Regime {
-    /// The word that the JSON and the report use.
+    /// The word used in the JSON output and the report.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -108,7 +109,7 @@ impl Regime {
         }
     }
 
-    /// The regime that a list of contacts makes.
+    /// The regime of a list of contacts.
     #[must_use]
     pub fn of(contacts: &[Contact]) -> Self {
         match contacts {
@@ -119,27 +120,27 @@ impl Regime {
     }
 }
 
-/// A stretch, or a single point (`from == to`), at which the foundation carries the beam.
+/// A stretch, or a single point (`from == to`), over which the foundation carries the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact {
     /// Left end \[length\].
     pub from: f64,
     /// Right end \[length\].
     pub to: f64,
-    /// Resultant, upwards \[force\].
+    /// Resultant contact force, upwards \[force\].
     pub force: f64,
-    /// Concentrated forces at the left and right end of a zone \[force\]; only the exact method has them.
+    /// Concentrated forces at the left and right end of a contact zone \[force\]; only the grid-free solution computes them.
     pub end_forces: Option<[f64; 2]>,
 }
 
 impl Contact {
-    /// A force at a single place.
+    /// A contact force at a single position.
     #[must_use]
     pub fn at(x: f64, force: f64) -> Self {
         Self { from: x, to: x, force, end_forces: None }
     }
 
-    /// A dimensionless contact in the units of its scene, forces being so many times what they are here.
+    /// Converts a dimensionless contact to the units of its scene; all forces are also multiplied by `times`.
     pub(crate) fn in_units(self, scale: &Scale, times: f64) -> Self {
         let force = |force: f64| force * times * scale.force;
         Self {
@@ -151,8 +152,8 @@ impl Contact {
     }
 }
 
-/// A stretch, or a single point (`from == to`), over which the beam lies on the foundation, or on a support that only pushes, without a
-/// force between them.
+/// A stretch, or a single point (`from == to`), over which the beam touches the foundation or a compression-only support without
+/// a contact force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Touch {
@@ -162,42 +163,42 @@ pub struct Touch {
     pub to: f64,
 }
 
-/// The largest pressure of ground that gives.
+/// The maximum pressure of an elastic foundation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Pressure {
-    /// How large \[force / length\].
+    /// Value \[force / length\].
     pub max: f64,
-    /// Where it is \[length\].
+    /// Position \[length\].
     pub at: f64,
 }
 
-/// How a discretised beam bends between its nodes.
+/// The shape of a discretised beam between its nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Discretisation {
-    /// Finite differences: curvature sits at the nodes, `M_i = −EI (v_{i−1} − 2 v_i + v_{i+1}) / Δ²`.
+    /// Finite differences: the curvature is concentrated at the nodes, `M_i = −EI (v_{i−1} − 2 v_i + v_{i+1}) / Δ²`.
     FiniteDifferences,
-    /// Beam elements: with forces at the nodes only, `M` is linear and `v` cubic between them, and both are exact.
+    /// Beam elements: with forces only at the nodes, `M` is linear and `v` cubic between them, and both are exact.
     #[default]
     BeamElements,
 }
 
-/// Values at the nodes of a grid from left to right: at all of them but an end of the beam that a support holds, where the
-/// deflection is that of the support. Of a beam with supports at both ends these are the interior nodes `x_1 … x_n`. A support
-/// inside the beam is a node with its clearance and no contact force; what it carries is in [`ContactState::supports`].
+/// Values at the nodes of a grid from left to right. An end of the beam with a support is omitted, because its deflection is
+/// prescribed. For a beam with supports at both ends these are the interior nodes `x_1 … x_n`. A support inside the beam is a
+/// node with its clearance and no contact force; [`ContactState::supports`] contains its reaction.
 #[derive(Debug, Clone, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Nodes {
-    /// How the beam bends between them.
+    /// The shape of the beam between the nodes.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub discretisation: Discretisation,
-    /// Places \[length\].
+    /// Positions \[length\].
     pub x: Vec<f64>,
     /// Deflection `v`, positive downwards \[length\].
     pub deflection: Vec<f64>,
-    /// Clearance `h = g − v` of (6) \[length\]; infinite where there is no foundation.
+    /// Clearance `h = g − v` of (6) \[length\]; infinite without a foundation.
     pub clearance: Vec<f64>,
-    /// Contact force, upwards, a force and not a density \[force\].
+    /// Contact force, upwards; a force and not a density \[force\].
     pub contact_force: Vec<f64>,
     /// Bending moment `M = −EI v''`, positive with the underside in tension \[force · length\].
     pub moment: Vec<f64>,
@@ -206,35 +207,35 @@ pub struct Nodes {
 /// The beam in its final position.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactState {
-    /// How much it touches.
+    /// The kind of contact.
     pub regime: Regime,
-    /// Forces of the supports at the two ends, with the load that a discretisation puts on the support itself counted in.
+    /// Reactions at the two ends. They include the load that a discretisation assigns to the support itself.
     pub reactions: Reactions,
-    /// Forces of all supports from left to right, counted in the same way.
+    /// Reactions of all supports from left to right, including the same loads.
     pub supports: Vec<SupportForce>,
-    /// How the beam stands, if its supports do not hold it.
+    /// The equilibrium of the beam, if its supports alone do not hold it.
     pub standing: Option<Standing>,
-    /// Where the foundation presses against it, from left to right.
+    /// Contacts with a contact force, from left to right.
     pub contacts: Vec<Contact>,
-    /// Where it lies on the rigid foundation without pressing, from left to right; beam theory alone knows.
+    /// Contacts without a contact force, from left to right; only beam theory computes them.
     pub touches: Vec<Touch>,
     /// Deflection, positive downwards \[length\].
     pub deflection: Extremes,
     /// Bending moment, positive with the underside in tension \[force · length\].
     pub moment: Extremes,
-    /// `J(v) = ½∫EI v''² dx − ∫q v dx`, (17) \[force · length\]. A discretised method has its nodal loads for `q`.
+    /// `J(v) = ½∫EI v''² dx − ∫q v dx`, (17) \[force · length\]. For a discretised method, `q` are its nodal loads.
     pub energy: f64,
-    /// The largest pressure, on ground that gives.
+    /// The maximum pressure of an elastic foundation.
     pub pressure: Option<Pressure>,
     /// Values at the nodes, for a discretised method.
     pub nodes: Option<Nodes>,
 }
 
 impl Standing {
-    /// How a beam in this state stands, with the resultant of its loads.
+    /// The equilibrium of a beam in this state, with the resultant of its loads.
     #[must_use]
     pub fn of(state: &ContactState, resultant: Resultant, motion: Option<Motion>) -> Self {
-        /// The digits that the place of a contact has.
+        /// Relative accuracy of the position of a contact.
         const ROUNDING: f64 = 1e-12;
         let carries = state.supports.iter().filter(|s| !s.pushes_only || 0.0 < s.force);
         let places = carries.map(|s| [s.at; 2]).chain(state.contacts.iter().map(|c| [c.from, c.to]));
@@ -242,14 +243,15 @@ impl Standing {
         let [left, right] = places
             .fold([f64::INFINITY, f64::NEG_INFINITY], |[left, right], [from, to]| [left.min(from), right.max(to)]);
         let nearer = (resultant.at - left).min(right - resultant.at);
-        // Of an answer without numbers no place is known.
+        // The result is NaN if the answer contains no position.
         let share = if left < right { nearer / (right - left) } else { 0.0 * (right - left) };
-        // Beyond both by more than rounding, a support pulls, and the beam cannot turn about the other place.
+        // If the resultant is outside both positions by more than rounding, a support is in tension and the beam cannot rotate
+        // about the other position.
         let margin = if share < -ROUNDING { f64::NAN } else { share.max(0.0 * share) };
         Self { resultant, margin, motion }
     }
 
-    /// From dimensionless numbers to the units of the scene.
+    /// Converts dimensionless numbers to the units of the scene.
     fn in_units_of(self, scale: &Scale) -> Self {
         let Resultant { force, at } = self.resultant;
         let motion = self.motion.map(|motion| Motion {
@@ -261,8 +263,7 @@ impl Standing {
 }
 
 impl ContactState {
-    /// Where the beam rests without being held, from left to right: its contacts with the ground, and the supports that only push and
-    /// have a force.
+    /// Compressive contacts from left to right: contacts with the foundation, and compression-only supports with a reaction.
     #[must_use]
     pub fn touched(&self) -> Vec<Contact> {
         let pushing = self.supports.iter().filter(|support| support.pushes_only && 0.0 < support.force);
@@ -272,28 +273,29 @@ impl ContactState {
         all
     }
 
-    /// By how much the deflection varies along the beam, if that is more than a tenth of its length: the theory is linear, and takes
-    /// `v''` for the curvature. Along half a wave as high as a tenth of its length the slope reaches π/10, and the curvature there is
-    /// `(1 + π²/100)^-3/2 = 0.87` times as large \[length\].
+    /// The range of the deflection along the beam \[length\], if it exceeds about a tenth of the length. The theory is linear and
+    /// uses `v''` as the curvature. In a half wave with a height of a tenth of its length the slope reaches π/10, and the
+    /// curvature there is `(1 + π²/100)^-3/2 = 0.87` times as large.
     #[must_use]
     pub fn large_deflection(&self, length: f64) -> Option<f64> {
-        /// Of the length: the curvature is then off by an eighth. A hundredth more, so that a grid warns of what the beam does.
+        /// Relative to the length: the error of the curvature is then an eighth. The margin of a hundredth makes grid and beam
+        /// theory warn alike.
         const LARGE: f64 = 0.101;
         let varies = self.deflection.max - self.deflection.min;
         (LARGE * length < varies).then_some(varies)
     }
 
-    /// Resultant of all contacts with the ground, upwards \[force\].
+    /// Total contact force of the foundation, upwards \[force\].
     #[must_use]
     pub fn contact_force(&self) -> f64 {
         self.contacts.iter().fold(0.0, |sum, c| sum + c.force)
     }
 
-    /// A dimensionless state in the units of its scene. All factors are powers of two: only exponents change.
+    /// Converts a dimensionless state to the units of its scene. All factors are powers of two, so that only exponents change.
     #[must_use]
     pub(crate) fn in_units_of(self, scale: &Scale) -> Self {
         let Scale { length, depth, force } = *scale;
-        // A unit of one is frequent, and a million products are not free.
+        // The factor is often one, and a million multiplications take time.
         let times = |values: Vec<f64>, unit: f64| match unit {
             1.0 => values,
             _ => values.into_iter().map(|v| v * unit).collect(),
@@ -327,7 +329,7 @@ impl ContactState {
         }
     }
 
-    /// Whether reactions, contacts, extremes and energy are numbers: in the units of a scene they may overflow.
+    /// Whether reactions, contacts, extremes and energy are finite; they may overflow in the units of a scene.
     #[must_use]
     pub fn is_finite(&self) -> bool {
         let Self { reactions, deflection, moment, energy, .. } = self;

@@ -1,10 +1,11 @@
-//! Symmetric matrices in Matrix Market files, line by line: nothing but the numbers is kept.
+//! Reads symmetric matrices from Matrix Market files line by line; only the numbers are kept.
 //!
-//! `coordinate` or `array`, `real` (or `integer`, `double`), `symmetric` or `general`. A general matrix has to be symmetric up to rounding;
-//! it stands for the mean of its two triangles (Boisvert, Pozo and Remington 1996).
+//! Supported are `coordinate` and `array`, `real` (also `integer` and `double`), and `symmetric` and `general`. A general matrix
+//! must be symmetric within rounding, and the mean of its two triangles is used (Boisvert, Pozo and Remington 1996).
 //!
-//! Without its banner a file has rows of `row column value`, as CalculiX writes `.sti`, or of `node, freedom, node, freedom, value`, as Abaqus
-//! does for `*MATRIX OUTPUT`. It is one triangle unless some entry is there from both sides. Freedoms are numbered by node, then by freedom.
+//! A file without the banner has rows of `row column value`, as CalculiX writes `.sti`, or of
+//! `node, freedom, node, freedom, value`, as Abaqus does for `*MATRIX OUTPUT`. It is one triangle unless some entry is given on
+//! both sides of the diagonal. Degrees of freedom are numbered by node, then by freedom.
 
 mod fields;
 
@@ -17,36 +18,36 @@ use crate::memory::can_be_had;
 use crate::qp::Profile;
 use crate::scene::file::Found;
 
-/// Numbers from the first entry of each row to the diagonal, all together: 128 MB, as much for each factor, and minutes to solve if the
-/// matrix is full.
+/// Limit for the stored values, from the first entry of each row to the diagonal: 128 MB, the same again for each factor, and
+/// minutes to solve if the matrix is full.
 pub const MOST_NUMBERS: usize = 1 << 24;
 
-/// What two entries may be apart that should be the same, as a share of `√(a_ii a_jj)`: programs print some ten digits.
+/// Greatest difference of two entries that should be equal, relative to `√(a_ii a_jj)`: programs print about ten digits.
 const SYMMETRIC: f64 = 1e-10;
 
-/// More rows than any memory holds, and few enough for their numbers to be counted in 64 bits.
+/// Limit for the number of rows: more than fit into any memory, and few enough for counts in 64 bits.
 const MOST_ROWS: usize = u32::MAX as usize;
 
-/// What a line begins with that says nothing: comments of Matrix Market, of tables and of Abaqus, and keywords of the latter.
+/// First characters of lines that are skipped: comments of Matrix Market, of tables and of Abaqus, and Abaqus keywords.
 const COMMENTS: [char; 3] = ['%', '#', '*'];
 
-/// What is wrong with a matrix, and where.
+/// An error in a matrix, with its location.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wrong {
     /// Line, from 1.
     pub line: usize,
-    /// The line; as it was read, where it is met again later.
+    /// The line. For an entry that is reported later, a text built from its numbers.
     pub text: String,
-    /// Bytes of it that are meant.
+    /// The bytes of the line to which the error refers.
     pub marked: Range<usize>,
-    /// What is wrong.
+    /// The error.
     pub problem: BodyProblem,
 }
 
-/// Bytes of a line, and what is wrong with them.
+/// The bytes of a line, and the error in them.
 type Mark = (Range<usize>, BodyProblem);
 
-/// An entry that was read, by its place on or below the diagonal.
+/// An entry of the file, with its position on or below the diagonal.
 #[derive(Debug, Clone, Copy)]
 struct Entry {
     place: [usize; 2],
@@ -55,10 +56,10 @@ struct Entry {
     value: f64,
 }
 
-/// How a file is laid out.
+/// The layout of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Form {
-    /// With a banner and a size: places with values, or values alone by columns; one triangle, or both.
+    /// Banner and size, then positions with values, or only values by columns; one triangle or both.
     Market { coordinate: bool, symmetric: bool },
     /// Row, column and value in each line.
     Columns,
@@ -66,30 +67,30 @@ enum Form {
     Labels,
 }
 
-/// A matrix as far as it has been read.
+/// A matrix that is being read.
 #[derive(Debug, Default)]
 pub struct Reader {
     sums_duplicates: bool,
     line: usize,
     form: Option<Form>,
-    /// Rows, and entries that a file with a size must have.
+    /// Number of rows, and number of entries that a file with a size must have.
     size: Option<[usize; 2]>,
     count: usize,
-    /// Place of the next entry of an array.
+    /// Position of the next entry of an array.
     next: [usize; 2],
     entries: Vec<Entry>,
-    /// Of node and freedom which row it is, in the order in which they are met.
+    /// The row of each pair of node and freedom, in order of first occurrence.
     labels: BTreeMap<[i64; 2], usize>,
 }
 
 impl Reader {
-    /// One that adds the entries of a place up, or refuses a second one.
+    /// A reader that adds duplicate entries, or rejects them.
     #[must_use]
     pub fn new(sums_duplicates: bool) -> Self {
         Self { sums_duplicates, ..Self::default() }
     }
 
-    /// One more line, without its end.
+    /// Reads one more line, without its line end.
     ///
     /// # Errors
     ///
@@ -136,7 +137,7 @@ impl Reader {
         }
     }
 
-    /// One more line below a banner.
+    /// Reads one more line below a banner.
     fn market(&mut self, text: &str, coordinate: bool, symmetric: bool) -> Result<(), Mark> {
         let Some([n, expected]) = self.size else {
             self.size = Some(size(text, coordinate, symmetric)?);
@@ -157,7 +158,7 @@ impl Reader {
             let problem = BodyProblem::Entries { expected: expected.to_string(), found: self.count + 1 };
             return Err((0..text.len(), problem));
         }
-        // Coordinates are kept, zero or not, to find those that are there twice.
+        // All coordinates are kept, also of zeros, to find duplicates.
         if coordinate || value != 0.0 {
             return self.push([i, j], value).map_err(|problem| (0..text.len(), problem));
         }
@@ -168,11 +169,11 @@ impl Reader {
     fn push(&mut self, [i, j]: [usize; 2], value: f64) -> Result<(), BodyProblem> {
         self.count += 1;
         self.entries.push(Entry { place: [i.max(j), i.min(j)], above: i < j, line: self.line, value });
-        // With a size that has been asked before.
+        // With a size this was checked before.
         if self.size.is_none() { affordable(self.count / 2) } else { Ok(()) }
     }
 
-    /// The matrix, when there are no more lines; it need not be positive definite.
+    /// The matrix, once all lines have been read; it may be indefinite.
     ///
     /// # Errors
     ///
@@ -194,7 +195,7 @@ impl Reader {
             }
         };
         let [n, expected] = self.size.unwrap_or([0, usize::MAX]);
-        // A row without any entry has none on the diagonal, and would cost memory.
+        // A row without entries has none on the diagonal either, and would need memory.
         if self.entries.len() < n && !matches!(self.form, Some(Form::Market { .. })) {
             return Err(at_end(BodyProblem::Entries { expected: format!("at least {n}"), found: self.entries.len() }));
         }
@@ -202,7 +203,7 @@ impl Reader {
             let expected = self.size.map_or_else(|| "a size, and".to_owned(), |[_, expected]| expected.to_string());
             return Err(at_end(BodyProblem::Entries { expected, found: self.count }));
         }
-        // The entries of a place beside each other, first those below the diagonal, in the order of the file.
+        // Entries of the same position become neighbours, those below the diagonal first, in the order of the file.
         self.entries.sort_unstable_by_key(|entry| (entry.place, entry.above, entry.line));
         let mut entries = self.entries;
         if self.sums_duplicates {
@@ -217,8 +218,8 @@ impl Reader {
         Ok(Profile::of_entries(n, lower.into_iter()))
     }
 
-    /// Leaves the size out that a file without banner may begin with: two equal numbers and that of the lines that follow, among which the
-    /// last entry of the diagonal comes again.
+    /// Removes the size with which a file without banner may begin: twice the number of rows, and the number of lines that
+    /// follow. It is a size if the last diagonal entry occurs again among these lines.
     fn without_size(&mut self) {
         if let Some((first, rest)) = self.entries.split_first() {
             #[expect(clippy::cast_precision_loss, reason = "a count of lines")]
@@ -230,7 +231,7 @@ impl Reader {
         }
     }
 
-    /// Numbers rows in the order of their nodes and freedoms, where these are given.
+    /// Numbers the rows in the order of nodes and freedoms, if the file has them.
     fn in_order_of_labels(&mut self) {
         if self.labels.is_empty() {
             return;
@@ -245,19 +246,19 @@ impl Reader {
     }
 }
 
-/// The entries of each place and triangle as one.
+/// Adds the entries of each position and triangle.
 fn summed(entries: &[Entry]) -> Vec<Entry> {
     let same = |a: &Entry, b: &Entry| (a.place, a.above) == (b.place, b.above);
     let sum = |group: &[Entry]| Entry { value: group.iter().map(|entry| entry.value).sum(), ..group[0] };
     entries.chunk_by(same).map(sum).collect()
 }
 
-/// Whether some place off the diagonal is given from both sides.
+/// Whether an off-diagonal entry is given on both sides of the diagonal.
 fn has_both_triangles(entries: &[Entry]) -> bool {
     entries.windows(2).any(|pair| pair[0].place == pair[1].place && pair[0].above != pair[1].above)
 }
 
-/// One entry of each place on or below the diagonal.
+/// The entries on or below the diagonal, one for each position.
 fn lower_triangle(entries: &[Entry], n: usize, symmetric: bool) -> Result<Vec<(usize, usize, f64)>, Wrong> {
     let mut roots = vec![0.0; n];
     for Entry { place: [i, j], value, .. } in entries {
@@ -287,7 +288,7 @@ fn lower_triangle(entries: &[Entry], n: usize, symmetric: bool) -> Result<Vec<(u
 }
 
 impl Entry {
-    /// What is wrong with an entry that was read before.
+    /// An error that concerns an entry read before.
     fn wrong(&self, problem: impl Fn(usize, usize) -> BodyProblem) -> Wrong {
         let [i, j] = self.place.map(|index| index + 1);
         let [i, j] = if self.above { [j, i] } else { [i, j] };
@@ -296,7 +297,7 @@ impl Entry {
     }
 }
 
-/// An error if there are too many numbers.
+/// Returns an error if there are too many numbers.
 fn affordable(numbers: usize) -> Result<(), BodyProblem> {
     let fits = numbers <= MOST_NUMBERS && can_be_had(numbers, 4 * size_of::<f64>());
     if fits { Ok(()) } else { Err(BodyProblem::TooLarge { numbers, most: MOST_NUMBERS }) }
@@ -314,7 +315,7 @@ fn header(text: &str) -> Result<Form, Mark> {
     }
 }
 
-/// The layout of a file without banner, by its first line.
+/// The layout of a file without banner, determined from its first line.
 fn form_of(text: &str) -> Result<Form, Mark> {
     let is_number = |field: &str| real(field).is_some();
     match pieces(text).map(|(field, _)| is_number(field)).collect::<Vec<_>>()[..] {
@@ -339,7 +340,7 @@ fn size(text: &str, coordinate: bool, symmetric: bool) -> Result<[usize; 2], Mar
     if rows != columns {
         return whole_line(BodyProblem::NotSquare { rows, columns });
     }
-    // Its diagonal alone has as many.
+    // The diagonal alone has this many entries.
     if entries < rows {
         return whole_line(BodyProblem::Entries { expected: format!("at least {rows}"), found: entries });
     }

@@ -1,14 +1,14 @@
-//! Any elastic body above ground in place of the beam: "the methods are easy to extend to cases in which some other elastic body stands in
-//! the place of the beam and in which the foundation is elastic as well".
+//! Any elastic body above a foundation in place of the beam: "the methods are easy to extend to cases in which some other elastic
+//! body stands in the place of the beam and in which the foundation is elastic as well".
 //!
 //! ```text
 //! stiffness K     variables: clearances h      K h = (K g − q) + p
 //! flexibility C   variables: contact forces p  (C + G) p = (C q − g) + h
 //!
-//! h ≥ 0, p ≥ 0, h_i p_i = 0     displacements v = g − h of loads q − p;  g: gaps;  G: flexibility of the ground, 0 if it is rigid
+//! h ≥ 0, p ≥ 0, h_i p_i = 0     displacements v = g − h under loads q − p;  g: gaps;  G: flexibility of the foundation, 0 if it is rigid
 //! ```
 //!
-//! Both are the quadratic program (32), of a matrix that is given. The [proof] bounds the error of any answer from both sides.
+//! Both are the quadratic program (32) with a given matrix. The [proof] bounds the error of any answer from below and above.
 
 pub mod matrix_market;
 mod problem;
@@ -26,7 +26,7 @@ use crate::solvers::{Answer, Solver, active_set_of};
 use crate::text::{magnitude_at_least, magnitude_at_most, share_at_most};
 use crate::verdict::Status;
 
-/// Which matrix of a body is given, and with it which variables the program has.
+/// The given matrix of a body, which also determines the variables of the program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// Force over displacement; the variables are clearances.
@@ -38,9 +38,9 @@ pub enum Kind {
 /// An elastic body with its gaps and loads.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Body {
-    /// What it is called.
+    /// The title.
     pub title: String,
-    /// Labels of its units.
+    /// Labels of the units.
     pub units: Units,
     kind: Kind,
     gap: Vec<f64>,
@@ -49,16 +49,17 @@ pub struct Body {
     program: Explicit,
 }
 
-/// Products that the four steps may take, `n` factorisations at most: some seconds.
+/// Limit for the products that the four-step solver may need in at most `n` factorisations: some seconds.
 const MOST_PRODUCTS: usize = 1 << 33;
 
 impl Body {
-    /// A body from its matrix, that of an elastic foundation, which goes with a flexibility, gaps and loads. An infinite gap has no ground.
+    /// Creates a body from its matrix, gaps and loads. `foundation` is the flexibility of an elastic foundation and is given only
+    /// with a flexibility of the body. An infinite gap means that there is no foundation.
     ///
     /// # Errors
     ///
-    /// [`BodyProblem::Sizes`] if the matrices, gaps and loads are not of one size, [`BodyProblem::NotPositiveDefinite`] if a pivot is
-    /// not positive, [`BodyProblem::Range`] if a product with gaps or loads is no number.
+    /// [`BodyProblem::Sizes`] if matrices, gaps and loads have different sizes, [`BodyProblem::NotPositiveDefinite`] if a pivot
+    /// is not positive, and [`BodyProblem::Range`] if a product with gaps or loads is not finite.
     pub fn new(
         kind: Kind,
         matrix: Profile,
@@ -100,13 +101,13 @@ impl Body {
         Ok(Self { title: String::new(), units: Units::default(), kind, gap, reach, load, program })
     }
 
-    /// Which matrix was given.
+    /// The kind of the given matrix.
     #[must_use]
     pub fn kind(&self) -> Kind {
         self.kind
     }
 
-    /// The method of the paper that its program is, by its name.
+    /// The name of the paper's method to which the program corresponds.
     #[must_use]
     pub fn method(&self) -> &'static str {
         match self.kind {
@@ -121,8 +122,8 @@ impl Body {
         &self.program
     }
 
-    /// Solves the program by a solver; `tolerance` is the scaled residual at which an iterative one may stop. The active set begins
-    /// with the free variables of an interior-point method.
+    /// Solves the program; `tolerance` is the scaled residual at which an iterative solver may stop. The active set starts from
+    /// the free variables of an interior-point method.
     #[must_use]
     pub fn run(&self, solver: Solver, tolerance: f64) -> Answer {
         let n = self.program.dimension();
@@ -139,18 +140,18 @@ impl Body {
         answer
     }
 
-    /// The distance of each freedom to the ground before it is loaded, infinite where there is none.
+    /// The distance of each degree of freedom from the foundation before loading; infinite without a foundation.
     #[must_use]
     pub fn gap(&self) -> &[f64] {
         &self.gap
     }
 
-    /// Whether the loads cannot bring a freedom to its ground, whatever it touches elsewhere.
+    /// Whether the loads cannot bring a degree of freedom into contact, whatever contacts occur elsewhere.
     fn is_out_of_reach(&self, i: usize) -> bool {
         self.reach.gap[i] < self.gap[i]
     }
 
-    /// The clearance of each freedom to the ground by an answer, and the force of the ground on it.
+    /// The clearance and the contact force of each degree of freedom in an answer.
     #[must_use]
     pub fn clearance_and_force(&self, answer: &Answer) -> [Vec<f64>; 2] {
         let (clearance, force) = self.clearance_within_reach(answer);
@@ -161,7 +162,7 @@ impl Body {
         [clearance.iter().enumerate().map(beyond).collect(), force.to_vec()]
     }
 
-    /// The same with ground out of reach where the program has it.
+    /// The clearances and contact forces in an answer, with the reduced gaps of the program where the foundation is out of reach.
     fn clearance_within_reach<'a>(&self, answer: &'a Answer) -> (&'a [f64], &'a [f64]) {
         match self.kind {
             Kind::Stiffness => (&answer.x, &answer.gradient),
@@ -169,7 +170,7 @@ impl Body {
         }
     }
 
-    /// Potential energy `½ vᵀ K v − qᵀ v` of the body by an answer, with that of an elastic foundation.
+    /// Potential energy `½ vᵀ K v − qᵀ v` of the body in an answer, including the energy of an elastic foundation.
     #[must_use]
     pub fn energy(&self, answer: &Answer) -> f64 {
         let x: Vec<Double> = answer.x.iter().copied().map(Double::exact).collect();
@@ -182,14 +183,14 @@ impl Body {
 pub struct Verdict {
     /// Certified or not.
     pub status: Status,
-    /// How far they may be off, or why nothing is known of it.
+    /// The error bounds, or the reason why nothing is proven.
     pub reason: String,
-    /// How far they are off.
+    /// The error bounds as numbers.
     pub errors: Errors,
 }
 
 impl Verdict {
-    /// From how far they are off; `demanded` is a share of the largest of each kind.
+    /// Derives the verdict from the errors; `demanded` is relative to the largest value of each quantity.
     #[must_use]
     pub fn new(errors: Result<Errors, Unproven>, demanded: f64, reports_success: bool) -> Self {
         let known = errors.unwrap_or(Errors::UNKNOWN);

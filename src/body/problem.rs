@@ -1,9 +1,9 @@
-//! What can be wrong with the files of a body.
+//! Errors in the table `[body]` and in the files of a body.
 
 use crate::qp::NotPositiveDefinite;
 use crate::scene::file::{Found, ReadProblem};
 
-/// What is wrong with `[body]`, or with one of its files.
+/// An error in `[body]` or in one of its files.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum BodyProblem {
     /// A table that belongs to a beam.
@@ -12,7 +12,7 @@ pub enum BodyProblem {
     /// No matrix, or two.
     #[error("[body] must have exactly one of `stiffness` and `flexibility`")]
     OneMatrix,
-    /// An elastic foundation beside a stiffness.
+    /// An elastic foundation together with a stiffness.
     #[error(
         "`body.foundation` must not be there: flexibilities of body and ground add up, and `body.stiffness` is none"
     )]
@@ -20,57 +20,57 @@ pub enum BodyProblem {
     /// A file that could not be read.
     #[error("cannot read `body.{key}`, {path:?}: {problem}")]
     Unreadable {
-        /// Which key names it.
+        /// The key that names the file.
         key: &'static str,
-        /// As the scene file has it.
+        /// The path as written in the scene file.
         path: String,
-        /// Why not.
+        /// The reason.
         problem: ReadProblem,
     },
-    /// The first line of a matrix.
+    /// An invalid first line of a matrix.
     #[error(
         "a matrix must begin with `%%MatrixMarket matrix coordinate|array real symmetric|general`, or have `row column value` or \
          `node, freedom, node, freedom, value` in each line, but begins with {found}"
     )]
     Header {
-        /// What is there.
+        /// The first line of the file.
         found: Found,
     },
-    /// Not so many numbers in a line.
+    /// A line with a wrong number of fields.
     #[error("this line must have {expected}, but has {found} fields")]
     Fields {
-        /// What it must have.
+        /// The required fields.
         expected: &'static str,
-        /// How many fields it has.
+        /// The number of fields.
         found: usize,
     },
-    /// Not a number.
+    /// An invalid number.
     #[error("`{quantity}` must be {expected}, but is {found}")]
     Number {
-        /// What the number is.
+        /// The name of the number.
         quantity: &'static str,
-        /// What it must be.
+        /// The requirement.
         expected: String,
-        /// What is there.
+        /// The text of the field.
         found: Found,
     },
-    /// No square matrix.
+    /// A matrix that is not square.
     #[error("the matrix must be square, but has {rows} rows and {columns} columns")]
     NotSquare {
-        /// Rows.
+        /// Number of rows.
         rows: usize,
-        /// Columns.
+        /// Number of columns.
         columns: usize,
     },
-    /// A file that ends too early, or does not end.
+    /// A file with too few or too many entries.
     #[error("the matrix must have {expected} entries, but has {found}")]
     Entries {
-        /// As the size says.
+        /// The number of entries according to the size.
         expected: String,
-        /// What there are; of too many the first that is one too many.
+        /// The number of entries; if there are too many, the index of the first surplus entry.
         found: usize,
     },
-    /// A place for the second time.
+    /// A duplicate entry.
     #[error(
         "the entry at {i} {j} is there twice, or its mirror image is: first in line {line}; entries that add up need `sum_duplicates = true` in [body]"
     )]
@@ -79,27 +79,27 @@ pub enum BodyProblem {
         i: usize,
         /// Column.
         j: usize,
-        /// Where it is first.
+        /// Line of the first entry.
         line: usize,
     },
-    /// Two entries that should be the same.
+    /// Two entries that should be equal.
     #[error("the matrix must be symmetric, but is {here:?} at {i} {j} and {there:?} at {j} {i}")]
     NotSymmetric {
         /// Row.
         i: usize,
         /// Column.
         j: usize,
-        /// Entry.
+        /// The entry.
         here: f64,
-        /// The other one.
+        /// The entry mirrored at the diagonal.
         there: f64,
     },
-    /// Rows of a matrix that are too long to be factorised.
+    /// A matrix whose rows are too long to be factorised.
     #[error(
         "the matrix takes {numbers} numbers from the first entry of each row to its diagonal, more than {most} or than there is memory for: number neighbours one after the other"
     )]
     TooLarge {
-        /// What it takes.
+        /// The number of stored values.
         numbers: usize,
         /// The limit.
         most: usize,
@@ -107,39 +107,39 @@ pub enum BodyProblem {
     /// A pivot that is not positive.
     #[error("the matrix must be positive definite, but pivot {pivot} of its factorisation is {value:?}")]
     NotPositiveDefinite {
-        /// Which pivot, from 1.
+        /// The pivot, from 1.
         pivot: usize,
         /// Its value.
         value: f64,
     },
-    /// A matrix or a list of another size.
+    /// A matrix or a list of a different size.
     #[error("the {what} must have as many rows as the matrix of the body, {body}, but has {found}")]
     Sizes {
-        /// What has another size.
+        /// The matrix or list of a different size.
         what: &'static str,
-        /// Rows of the matrix of the body.
+        /// Number of rows of the matrix of the body.
         body: usize,
-        /// Rows that it has.
+        /// Its number of rows.
         found: usize,
     },
-    /// A table without its header.
+    /// A table without the required header.
     #[error("this file must begin with the header {expected}, but begins with {found}")]
     TableHeader {
-        /// What should be there.
+        /// The required header.
         expected: String,
-        /// What is there.
+        /// The first line of the file.
         found: Found,
     },
-    /// Products of its numbers that are too large.
+    /// A product of the matrix with gaps or loads that exceeds the range of `f64`.
     #[error("the product of the matrix with gaps or loads is beyond the range of 64-bit floating point")]
     Range,
-    /// A freedom for the second time.
+    /// A degree of freedom that is listed twice.
     #[error("the row of {0} is there twice")]
     RowTwice(usize),
 }
 
 impl BodyProblem {
-    /// From here on the message repeats no text of the file.
+    /// Removes all text of the file from the message.
     pub(crate) fn hide_text(&mut self) {
         if let Self::Header { found } | Self::Number { found, .. } | Self::TableHeader { found, .. } = self {
             *found = Found::NotShown;

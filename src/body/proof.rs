@@ -1,8 +1,8 @@
-//! What is proven of the optimum of a body, and from it of any answer.
+//! Proven error bounds for the optimum of a body, and from them for any answer.
 //!
 //! ```text
-//! 1  λ_min(A) ≥ τ > 0       Cholesky's factorisation of A − σ ends, and σ is more than it may have rounded
-//! 2  x ≥ 0                  solved on the free variables of some answer, refined in twice the precision; negative parts are zero
+//! 1  λ_min(A) ≥ τ > 0       Cholesky's factorisation of A − σ succeeds, and σ exceeds its rounding errors
+//! 2  x ≥ 0                  solved on the free variables of some answer, refined in twice the precision; negative parts are set to zero
 //! 3  r = A x − b − λ        with λ = g where x = 0 and g is certainly positive, else 0: for the optimum x* and δ = x − x*
 //!                           δᵀA δ = rᵀδ + (x − x*)ᵀ(λ − λ*) ≤ ‖r‖ ‖δ‖,  as xᵀλ = x*ᵀλ* = 0
 //!        ‖δ‖ ≤ ‖r‖/τ        since τ ‖δ‖² ≤ δᵀA δ
@@ -11,10 +11,11 @@
 //! 4  any answer y           max|y − x| − ε ≤ max|y − x*| ≤ max|y − x| + ε
 //! ```
 //!
-//! *Step 1.* Factors `L` of rows of at most `w` numbers, from sums in any order, are the exact ones of a matrix beside `A − σ`, off by
-//! at most `γ/(1 − γ) √(a_ii a_jj)` with `γ = (w + 1) u/(1 − (w + 1) u)`, in the places of the profile alone (Demmel 1989; Higham
-//! 2002, theorems 10.3 and 10.5; Rump 2006). `L Lᵀ` has no negative eigenvalue, and none of a symmetric matrix is larger than its
-//! largest row sum. A face is only a witness: from a wrong one bounds are wide, and never untrue.
+//! *Step 1.* Factors `L` with rows of at most `w` numbers, from sums in any order, are the exact factors of a matrix close to
+//! `A − σ`. It differs by at most `γ/(1 − γ) √(a_ii a_jj)` with `γ = (w + 1) u/(1 − (w + 1) u)`, only at positions inside the
+//! profile (Demmel 1989; Higham 2002, theorems 10.3 and 10.5; Rump 2006). `L Lᵀ` has no negative eigenvalue, and no eigenvalue of
+//! a symmetric matrix exceeds its largest row sum. The set of free variables is only a candidate: a wrong one leads to wide
+//! bounds, but never to false ones.
 
 mod judge;
 
@@ -23,44 +24,44 @@ use super::{Body, Kind};
 use crate::double::Double;
 use crate::qp::{Explicit, NotPositiveDefinite, Sums};
 
-/// A proven point beside the optimum.
+/// A point close to the optimum with proven error bounds.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Proof {
     clearance: Vec<Double>,
-    /// What each clearance is off at most.
+    /// A bound on the error of each clearance.
     pub error: f64,
     force: Vec<Double>,
     force_error: f64,
-    /// Lower and upper bound of the energy of the optimum.
+    /// Lower and upper bound on the energy of the optimum.
     pub energy: [f64; 2],
-    /// A bound on their distance without what is rounded: `½ ‖r‖²/τ`.
+    /// The part of their distance that is not rounding, `½ ‖r‖²/τ`.
     pub gap: f64,
     /// `τ`.
     pub least_eigenvalue: f64,
-    /// What errors are measured by.
+    /// The reference values of errors.
     pub sizes: Sizes,
 }
 
-/// What errors of a body are measured by: the largest of each kind.
+/// Reference values for the errors of a body: the largest value of each quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sizes {
-    /// The smaller one of the largest displacement and of the largest clearance that the loads could close. Where nothing moves, the
-    /// largest displacement without ground; without loads the largest clearance, and 1 where there is none.
+    /// The smaller of the largest displacement and the largest clearance that the loads could close. If nothing moves, the
+    /// largest displacement without a foundation; without loads the largest clearance, and 1 if there is none.
     pub clearance: f64,
-    /// The largest contact force; where there is none the largest load, and 1 without loads.
+    /// The largest contact force; if there is none, the largest load, and 1 without loads.
     pub force: f64,
-    /// The energy; where that is zero, that of the body without ground, and 1 without loads.
+    /// The energy; if it is zero, the energy of the body without a foundation, and 1 without loads.
     pub energy: f64,
 }
 
-/// How far something is off.
+/// Bounds on the maximum error of a quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Off {
-    /// The largest error of one of them is at least this,
+    /// Lower bound on the maximum error.
     pub least: f64,
-    /// and at most this,
+    /// Upper bound on the maximum error.
     pub most: f64,
-    /// which is such a share of their [size](Proof::sizes).
+    /// The upper bound relative to the [reference value](Proof::sizes) of the quantity.
     pub share: f64,
 }
 
@@ -70,72 +71,72 @@ impl Off {
     }
 }
 
-/// How far an answer is off.
+/// Error bounds for an answer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Errors {
-    /// Its clearances.
+    /// For the clearances.
     pub clearance: Off,
-    /// Its contact forces.
+    /// For the contact forces.
     pub force: Off,
-    /// Its energy.
+    /// For the energy.
     pub energy: Off,
 }
 
 impl Errors {
-    /// Where nothing is proven.
+    /// The bounds if nothing is proven.
     pub(crate) const UNKNOWN: Self = {
         let unknown = Off { least: 0.0, most: f64::INFINITY, share: f64::INFINITY };
         Self { clearance: unknown, force: unknown, energy: unknown }
     };
 }
 
-/// Why nothing is proven.
+/// The reason why nothing is proven.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum Unproven {
-    /// The matrix is too near to a singular one.
+    /// The matrix is too close to a singular one.
     #[error(
         "nothing could be proven: the least eigenvalue of the matrix, about {estimate:.1e}, is not above what its proof rounds off, {lost:.1e}"
     )]
     Eigenvalue {
-        /// By inverse iteration.
+        /// Estimate from inverse iteration.
         estimate: f64,
-        /// What a factorisation may be off.
+        /// Bound on the error of a factorisation.
         lost: f64,
     },
-    /// The numbers of the body are too large or too far apart.
+    /// Numbers of the body are too large, or their magnitudes differ too much.
     #[error("nothing could be proven: numbers on the way go beyond the range of 64-bit floating point")]
     Range,
-    /// A freedom that was taken to be out of reach of the ground may be pressed by it.
+    /// A degree of freedom that was considered out of reach of the foundation may be in contact.
     #[error("nothing could be proven: whether the loads bring freedom {} to its ground", freedom + 1)]
     Reach {
-        /// Which freedom, from 0.
+        /// The degree of freedom, from 0.
         freedom: usize,
     },
-    /// Rounding destroyed a face.
+    /// Rounding made the matrix of the free variables indefinite.
     #[error("nothing could be proven: {0}")]
     Face(#[from] NotPositiveDefinite),
 }
 
-/// What a program brought for a body.
+/// The answer of another program for a body.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Brought {
-    /// Clearances of all freedoms.
+    /// Clearances of all degrees of freedom.
     Clearance(Vec<f64>),
-    /// Contact forces on all freedoms.
+    /// Contact forces at all degrees of freedom.
     Force(Vec<f64>),
 }
 
-/// More than what some million roundings of sums of magnitudes leave.
+/// Covers the rounding of some millions of additions of magnitudes.
 const UP: f64 = 1.0 + 1e-9;
 
-/// Displacements, clearances, forces and energies below this share of what they are the difference of count as none: sixteen digits of
-/// the input leave as much.
+/// Displacements, clearances, forces and energies below this fraction of the terms of which they are the difference count as
+/// zero: it exceeds the rounding of input with sixteen digits.
 const NONE: f64 = 1e-12;
 
-/// Shares of the estimate that are tried for `σ`.
+/// Fractions of the estimate that are tried for `σ`.
 const SHIFTS: [f64; 3] = [0.9, 0.5, 0.1];
 
-/// `τ`.
+/// Proves a lower bound `τ` on the smallest eigenvalue.
 fn least_eigenvalue(qp: &Explicit) -> Result<f64, Unproven> {
     let all = qp.order();
     let a = &qp.profile().part(all, 0.0);
@@ -149,7 +150,7 @@ fn least_eigenvalue(qp: &Explicit) -> Result<f64, Unproven> {
     let unit = 0.5 * f64::EPSILON;
     let gamma = (width + 1.0) * unit / (1.0 - 2.0 * (width + 1.0) * unit);
     let factors = gamma * most(a.row_sums(|i, j, _| roots[i] * roots[j]));
-    // Products and quotients below the range of 64 bits.
+    // Products and quotients below the range of 64-bit numbers.
     let tiny = most(a.row_sums(|_, _, _| 1.0)) * width * f64::MIN_POSITIVE * (1.0 + diagonal.sqrt());
     let rest = most(qp.rest().row_sums(|_, _, a| a.abs()));
     let lost = (factors + unit * diagonal + rest + tiny) * UP;
@@ -160,7 +161,7 @@ fn least_eigenvalue(qp: &Explicit) -> Result<f64, Unproven> {
     proven.ok_or(Unproven::Eigenvalue { estimate, lost })
 }
 
-/// `Σ x_i y_i` of numbers that are off by at most the third, and what the sum is off.
+/// `Σ x_i y_i`, and a bound on its error. The third number of each term bounds the error of `y_i`.
 fn inner(terms: impl Iterator<Item = (Double, Double, f64)>) -> (Double, f64) {
     let (mut sum, mut size, mut off, mut count) = (Double::ZERO, 0.0, 0.0, 0.0);
     for (x, y, y_off) in terms {
@@ -172,7 +173,8 @@ fn inner(terms: impl Iterator<Item = (Double, Double, f64)>) -> (Double, f64) {
     (sum, (off + count * (size * Sums::STEP + f64::MIN_POSITIVE)) * UP)
 }
 
-/// What the energy of a body has besides the objective of its program: `½ gᵀ(b − q)` of a stiffness, `−½ qᵀ(b + g)` of a flexibility.
+/// The part of the energy of a body that its program does not contain: `½ gᵀ(b − q)` for a stiffness, `−½ qᵀ(b + g)` for a
+/// flexibility.
 fn constant(body: &Body) -> (Double, f64) {
     let b = body.program.right();
     let half = |x: f64| Double::exact(0.5 * x);
@@ -187,7 +189,8 @@ fn constant(body: &Body) -> (Double, f64) {
     }
 }
 
-/// `½ Σ x_i (A x − b)_i + share x_i b_i` of a program, with what is rounded off it: its objective if the share is −½, `½ xᵀ A x` if it is ½.
+/// `½ Σ x_i (A x − b)_i + share x_i b_i`, with a bound on its rounding error. It is the objective of the program if `share` is
+/// −½, and `½ xᵀ A x` if it is ½.
 fn half_products(body: &Body, x: &[Double], gradient: &Sums, share: f64) -> (Double, f64) {
     let b = body.program.right();
     inner(x.iter().enumerate().flat_map(|(i, x)| {
@@ -198,7 +201,7 @@ fn half_products(body: &Body, x: &[Double], gradient: &Sums, share: f64) -> (Dou
     }))
 }
 
-/// The potential energy of a body whose program has these variables and this gradient, and what is rounded off it.
+/// The potential energy of a body for these variables and this gradient of its program, with a bound on its rounding error.
 pub(super) fn energy(body: &Body, x: &[Double], gradient: &Sums) -> (Double, f64) {
     let share = if body.kind == Kind::Stiffness { -0.5 } else { 0.5 };
     let (sum, sum_off) = half_products(body, x, gradient, share);
@@ -207,7 +210,7 @@ pub(super) fn energy(body: &Body, x: &[Double], gradient: &Sums) -> (Double, f64
     (energy, (sum_off + constant_off) * UP + f64::EPSILON * energy.rounded().abs())
 }
 
-/// Proves a point beside the optimum, from the free variables of any answer.
+/// Proves error bounds for a point close to the optimum, computed from the free variables of any answer.
 ///
 /// # Errors
 ///
@@ -247,7 +250,7 @@ pub fn prove(body: &Body, free: impl Iterator<Item = bool>) -> Result<Proof, Unp
     if !bounds.iter().all(|bound| bound.is_finite()) {
         return Err(Unproven::Range);
     }
-    // Where the ground is clear of the body the force there is zero, and the optimum is that of ground which is farther away.
+    // If the point is clear of a reduced gap, the contact force there is zero. The optimum is then the same for the larger gap.
     let touching = (0..clearance.len()).find(|i| body.is_out_of_reach(*i) && clearance[*i].rounded() <= error * UP);
     if let Some(freedom) = touching {
         return Err(Unproven::Reach { freedom });
@@ -256,7 +259,7 @@ pub fn prove(body: &Body, free: impl Iterator<Item = bool>) -> Result<Proof, Unp
     Ok(Proof { clearance, error, force, force_error, energy, gap, least_eigenvalue: least, sizes })
 }
 
-/// See [`Sizes`].
+/// Computes the reference values; see [`Sizes`].
 fn sizes(
     body: &Body,
     [clearance, force]: [&[Double]; 2],
@@ -288,13 +291,13 @@ fn sizes(
     }
 }
 
-/// How far numbers are from others that are known up to an error, at least and at most.
+/// Lower and upper bound on the largest difference between numbers and the exact ones, which are known up to an error.
 fn apart(known: &[Double], found: impl Iterator<Item = Double>, error: f64) -> [f64; 2] {
     let most = known.iter().zip(found).map(|(known, found)| (*known - found).rounded().abs());
-    // Not `f64::max`, which would overlook what is no number.
+    // `f64::max` would ignore NaN.
     let most = most.fold(0.0, |most: f64, apart| if most.is_nan() || apart <= most { most } else { apart });
     let most = if most.is_finite() { most } else { f64::INFINITY };
-    // Of differences in twice the precision, rounded once.
+    // Differences in twice the precision are rounded once.
     let rounding = f64::EPSILON;
     [(most * (1.0 - rounding) - error * UP).max(0.0), most * (1.0 + rounding) + error * UP]
 }

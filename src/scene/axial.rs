@@ -1,19 +1,19 @@
-//! A beam under an axial force `N`, tension positive: one part of it, and the compression at which it buckles.
+//! Theory of a beam under an axial force `N`, tension positive: the law of one part, and the buckling load.
 //!
 //! ```text
 //! EI v'''' − N v'' = q,    H = V + N v'            the vertical force; reactions are its jumps
-//! φ_a = (ℓ/EI)(s₁ M_a + s₂ M_b),    z = N ℓ²/EI = u²        turns of the ends of a part from its chord, by moments there
+//! φ_a = (ℓ/EI)(s₁ M_a + s₂ M_b),    z = N ℓ²/EI = u²        rotations of the ends of a part against its chord under end moments
 //! s₁ = (u coth u − 1)/u²,    s₂ = (1 − u/sinh u)/u²
 //! ```
 //!
-//! Both are quotients of series in `z` with positive coefficients, the denominator `S = sinh u/u`: nothing cancels for a small force, and
-//! compression only changes the sign of `z`.
+//! Both are quotients of power series in `z` with positive coefficients; the denominator is `S = sinh u/u`. No digits cancel for
+//! a small force, and compression only changes the sign of `z`.
 
 use super::written::{rounded, shown};
 use super::{Beam, SceneError, Support};
 
-/// Where the parts of a beam end at the latest: `|N| ℓ²/EI ≤ ¾` leaves the first term that is left out of each series below the rounding of
-/// its sum.
+/// The greatest `ℓ √(|N|/EI)` of a part of a beam. It limits `|z|` to 0.64, so that the first omitted term of each series is
+/// below the rounding of its sum.
 pub(crate) const LONGEST: f64 = 0.8;
 
 /// Terms of each series: `z^TERMS/(2·TERMS + 1)!` is below 10⁻¹⁸ for `|z| ≤ 0.64`.
@@ -33,7 +33,7 @@ pub(crate) fn turns(z: f64) -> [f64; 3] {
     [near / sine, far / sine, 1.0 / sine]
 }
 
-/// The same of a part of any length: beyond [`LONGEST`] by the functions, from which no digit is taken there.
+/// `s₁`, `s₂` and `1/S` of a part of any length. Beyond [`LONGEST`] the closed forms are used, which lose no digits there.
 pub(crate) fn turns_of_any(z: f64) -> [f64; 3] {
     if z.abs() <= LONGEST * LONGEST {
         return turns(z);
@@ -43,20 +43,20 @@ pub(crate) fn turns_of_any(z: f64) -> [f64; 3] {
         let sine = libm::sin(u);
         return [(1.0 - u * libm::cos(u) / sine) / (u * u), (u / sine - 1.0) / (u * u), u / sine];
     }
-    // Of a long part nothing reaches the other end.
+    // In a long part, moments at one end do not affect the other end.
     let fall = u / libm::sinh(u);
     [(u / libm::tanh(u) - 1.0) / (u * u), (1.0 - fall) / (u * u), fall]
 }
 
-/// The curvatures at the two ends of a cubic that turns there as a part does by moments of `EI` and of zero: one and zero without an axial
-/// force.
+/// The end curvatures of the cubic whose end rotations equal those of a part under end moments `EI` and zero. Without an axial
+/// force they are one and zero.
 pub(crate) fn as_cubic(z: f64) -> [f64; 2] {
     let [near, far, _] = turns_of_any(z);
     [4.0 * near - 2.0 * far, 4.0 * far - 2.0 * near]
 }
 
-/// `EI/ℓ²` times the deflection of a part at the shares `σ` and `ρ = 1 − σ` of its length from its two ends, if a moment of one acts at the
-/// first: how a load there turns that end.
+/// `EI/ℓ²` times the deflection of a part under a unit moment at its first end, at the fractions `σ` and `ρ = 1 − σ` of its
+/// length from the two ends. By reciprocity it is also the rotation of that end under a load at this position.
 ///
 /// ```text
 /// ρ (S(z) − S(z ρ²))/(z S(z))
@@ -64,7 +64,7 @@ pub(crate) fn as_cubic(z: f64) -> [f64; 2] {
 pub(crate) fn bow(z: f64, [sigma, rho]: [f64; 2]) -> f64 {
     let (square, mut power) = (rho * rho, 1.0);
     let (mut sine, mut sum, mut p) = (0.0, 0.0, 1.0);
-    // 1 − ρ^2n by its sum, which does not cancel near the end.
+    // `1 − ρ^2n` as a sum, which does not cancel near the end.
     let mut fall = 0.0;
     for n in (0..TERMS).map(|n| 2.0 * f64::from(n)) {
         let next = p / ((n + 2.0) * (n + 3.0));
@@ -77,10 +77,10 @@ pub(crate) fn bow(z: f64, [sigma, rho]: [f64; 2]) -> f64 {
     rho * sigma * (1.0 + rho) * sum / sine
 }
 
-/// Why a beam does not bear its compression.
+/// The reason why a beam is not stable under its compression.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum Unstable {
-    /// It is not held.
+    /// The supports do not hold the beam.
     #[error(
         "`beam.tension` is {}: compression needs a beam that its supports hold, by two of them or a built-in one, and that no hinge leaves \
          free to move",
@@ -90,15 +90,15 @@ pub enum Unstable {
         /// The axial force \[force\].
         tension: f64,
     },
-    /// It has no position of rest but by chance.
+    /// The compression exceeds the buckling load.
     #[error("`beam.tension` is {}: the beam buckles at {} before it touches", shown(*tension), rounded(*at))]
     Buckles {
         /// The axial force \[force\].
         tension: f64,
-        /// At which it buckles \[force\].
+        /// The axial force at which it buckles \[force\].
         at: f64,
     },
-    /// It bears its compression, and on a grid that is too coarse it does not.
+    /// The beam is stable, but its model on a coarse grid is not.
     #[error("`beam.tension` is {}: on {intervals} intervals the beam buckles before; more intervals are needed", shown(*tension))]
     OnGrid {
         /// The axial force \[force\].
@@ -109,7 +109,7 @@ pub enum Unstable {
 }
 
 impl Unstable {
-    /// With another unit of force.
+    /// The same error in another unit of force.
     pub(crate) fn times(self, unit: f64) -> Self {
         match self {
             Self::Unheld { tension } => Self::Unheld { tension: tension * unit },
@@ -119,20 +119,20 @@ impl Unstable {
     }
 }
 
-/// A part of a beam between two places of what holds or changes it.
+/// A part of a beam between two neighbouring supports, joints or changes of stiffness, or a fraction of it.
 struct Part {
     length: f64,
     stiffness: f64,
 }
 
 impl Beam {
-    /// The axial force `N` below which the beam buckles on the supports that hold it, as if nothing else did; not positive, and to 12 digits
+    /// The axial force `N` below which the beam buckles on its bilateral supports alone; not positive, accurate to 12 digits
     /// \[force\].
     ///
-    /// Elimination of deflections and moments along the beam ([`turns`]) has one negative pivot for each moment as long as its stiffness is
-    /// positive definite (Sylvester's law of inertia), and more beyond that.
+    /// The elimination of deflections and moments along the beam ([`turns`]) has one negative pivot for each moment while the
+    /// stiffness is positive definite (Sylvester's law of inertia), and more beyond the buckling load.
     pub(crate) fn buckles_at(&self) -> f64 {
-        /// Halvings of the exponent, and of the number.
+        /// Number of bisections of the interval that contains the buckling load.
         const STEPS: u32 = 48;
         let (mut safe, mut buckled) = (0.0, self.bending_stiffness() / (self.length() * self.length()));
         while self.is_stable(-buckled) && buckled.is_finite() {
@@ -145,11 +145,11 @@ impl Beam {
         -buckled
     }
 
-    /// Whether the beam is stable under a compression, on the supports that hold it.
+    /// Whether the beam on its bilateral supports is stable under this axial force.
     pub(super) fn is_stable(&self, tension: f64) -> bool {
         let built_in = self.supports().iter().filter(|s| s.is_built_in()).map(|s| s.at);
         let mut from = 0.0;
-        // Nothing passes a place where the beam is built in.
+        // Built-in supports divide the beam into independent sections.
         built_in.chain([self.length()]).all(|to| {
             let stable = to <= from || self.is_stable_between([from, to], tension);
             from = to;
@@ -179,9 +179,9 @@ impl Beam {
         chain.negative <= chain.nodes
     }
 
-    /// What is at a place.
+    /// The stiffnesses and releases at a position.
     fn fixed_at(&self, x: f64) -> Fixed {
-        /// As good as rigid beside anything of the order of one.
+        /// Effectively rigid compared with stiffnesses of order one.
         const RIGID: f64 = f64::from_bits(0x52b0_0000_0000_0000);
         let here = |at: f64| at.total_cmp(&x).is_eq();
         let support = self.holding().find(|support| here(support.at));
@@ -196,8 +196,8 @@ impl Beam {
     }
 }
 
-/// What holds a place of the beam: how stiff it is against sinking and against turning, and what lets the beam turn before that and
-/// behind it.
+/// The restraints and releases of a node: the stiffness against settlement and against rotation, and the rotational flexibility
+/// before and behind the node.
 #[derive(Debug, Clone, Copy, Default)]
 struct Fixed {
     held: f64,
@@ -205,15 +205,15 @@ struct Fixed {
     free: [f64; 2],
 }
 
-/// Into how many parts a stretch is cut, so that none is longer than [`LONGEST`].
+/// The number of parts into which a stretch is divided so that none is longer than [`LONGEST`].
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "limited just before")]
 fn parts_of(length: f64, tension: f64, stiffness: f64) -> u32 {
-    /// More than there is memory for in an exact solution, which is refused before.
+    /// More parts than the memory for an exact solution allows; such a scene is rejected earlier.
     const MOST: f64 = 1e6;
     (length * (tension.abs() / stiffness).sqrt() / LONGEST).ceil().clamp(1.0, MOST) as u32
 }
 
-/// The elimination of `crate::qp::blocks` under an axial force, of which only the signs of pivots are kept.
+/// The elimination of `crate::qp::blocks` under an axial force; only the signs of the pivots are kept.
 #[derive(Default)]
 struct Elimination {
     b: f64,
@@ -224,11 +224,11 @@ struct Elimination {
 }
 
 impl Elimination {
-    /// A node with what is to its right.
+    /// Eliminates a node with the part to its right.
     fn node(&mut self, Fixed { held, turning, free: [before, behind] }: Fixed, part: Option<&Part>, tension: f64) {
         self.g += before;
         if 0.0 < turning {
-            // Two moments beside it, `−(g + 1/k)` the pivot of the one before it.
+            // Two moments at the node; the pivot of the first one is `−(g + 1/k)`.
             let share = 1.0 / (1.0 + turning * self.g);
             self.nodes += 1;
             self.negative += u32::from(0.0 < share);
@@ -266,11 +266,11 @@ impl Beam {
         Ok(self.tensioned(tension))
     }
 
-    /// Whether it bears its axial force.
+    /// Checks that the beam is stable under its axial force.
     ///
     /// # Errors
     ///
-    /// Compression of a beam that its supports do not hold, or that buckles under it.
+    /// Compression of a beam that is not held by its supports or that buckles.
     pub(super) fn check_compression(&self) -> Result<(), Unstable> {
         let tension = self.tension();
         if 0.0 <= tension {

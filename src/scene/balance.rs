@@ -1,19 +1,22 @@
-//! What the supports leave free, and whether loads and ground hold it.
+//! Rigid-body motions that the supports leave free, and whether loads and foundation balance them.
 //!
-//! One built-in support or any two hold the beam. With fewer, loads can only be balanced by what pushes: ground, which is there
-//! from `a = 0` to `b = l` wherever there is a foundation, and supports that only push, `a` and `b` the outermost of them without one:
+//! One built-in support or any two bilateral supports hold the beam. With fewer, only compressive contact can balance the loads:
+//! a foundation, which reaches from `a = 0` to `b = l` if it is rigid, and compression-only supports. `a` and `b` are the
+//! outermost positions of contact.
 //!
-//! | supports that hold | an answer exists if and only if |
+//! | bilateral supports | a solution exists if and only if |
 //! |---|---|
 //! | none | `W > 0` and `a ≤ x_W ≤ b`: the moments `∫q (x − a)` and `∫q (b − x)` are not negative |
-//! | one simple, at `x_s` | `∫q (x − x_s) > 0` and something pushes to the right of it, `< 0` and to the left, or `= 0` |
+//! | one simple, at `x_s` | `∫q (x − x_s) > 0` with contact possible to the right of it, `< 0` with contact to the left, or `= 0` |
 //!
-//! Under tension `∫ N v'²/2` holds the beam against turning: any support holds it, and without one `W > 0` is enough.
+//! Under tension, `∫ N v'²/2` prevents rotation. One bilateral support is then enough, and without any `W > 0` is enough.
 //!
-//! Here is the resultant `W = ∫q` of the loads and its place `x_W = ∫q x / W` (Fichera 1964: a semi-coercive variational
-//! inequality). Each of these sums is an interval: loads and places are decimals, known to half a unit in their last place. The
-//! sums themselves are taken in twice the precision. Where zero lies in the interval, the loads are balanced within rounding,
-//! and to which side the beam would turn is left open.
+//! `W = ∫q` is the resultant of the loads and `x_W = ∫q x / W` its position (Fichera 1964: a semi-coercive variational
+//! inequality). Each of these sums is an interval, because loads and positions are decimal numbers, known to half a unit in their
+//! last place. The sums themselves are computed in twice the precision. If the interval contains zero, the loads are balanced
+//! within rounding, and the direction in which the beam would rotate remains open. Where an elastic foundation or support would
+//! carry the loads alone in such a limiting case, the scene is rejected ([`Unheld::OnBorder`]) unless other contacts prevent
+//! rotation.
 
 mod sum;
 
@@ -30,32 +33,32 @@ use super::{Foundation, Scale, Scene, Support};
 pub struct Resultant {
     /// `W`, positive downwards \[force\].
     pub force: f64,
-    /// Its place `x_W`; not finite where `W` vanishes \[length\].
+    /// Its position `x_W` \[length\]; not finite if `W` is zero.
     pub at: f64,
 }
 
-/// What the supports leave free.
+/// The motions that the supports leave free.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Balance {
-    /// Nothing: two supports or more, or a built-in one.
+    /// None: the supports hold the beam.
     Held,
-    /// The beam can turn, and pushing ground holds it.
+    /// The beam can rotate or lift off, and compressive contact balances the loads.
     Stands(Resultant),
-    /// The resultant is exactly, within rounding, above the only place about which the beam could turn: the end of the ground or
-    /// the one support, or above a corner of the ground, on which the beam may rest alone. If it does, the forces are certain; the
-    /// position is so only if the ground holds it besides.
+    /// Within rounding, the resultant is exactly above a position about which the beam could rotate: an end of the foundation,
+    /// the only support, or a corner of the foundation on which the beam may rest alone. If the beam rests there alone, the
+    /// forces are determined. The position of the beam is determined only if other contacts hold it too.
     Neutral {
-        /// The loads.
+        /// The resultant of the loads.
         resultant: Resultant,
-        /// That place \[length\].
+        /// The position about which the beam could rotate \[length\].
         about: f64,
     },
 }
 
-/// Why nothing balances the loads.
+/// The reason why the loads are not balanced.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum Unheld {
-    /// The resultant is beside the ground.
+    /// The resultant is outside the foundation.
     #[error(
         "the loads have their resultant {} at x = {}, outside {}: the beam turns over {}",
         rounded(*force),
@@ -66,26 +69,26 @@ pub enum Unheld {
     Overturns {
         /// The resultant, positive downwards \[force\].
         force: f64,
-        /// Its place \[length\].
+        /// Its position \[length\].
         at: f64,
-        /// Whether there is ground, from end to end of the beam.
+        /// Whether there is a foundation.
         grounded: bool,
-        /// The outermost places that can carry the beam \[length\].
+        /// The outermost positions that can carry the beam \[length\].
         ends: [f64; 2],
     },
-    /// The loads pull the beam off the ground.
+    /// The resultant of the loads acts upwards.
     #[error("the loads pull upwards by {}: nothing holds the beam down", rounded(*force))]
     PulledUp {
         /// The resultant, positive upwards \[force\].
         force: f64,
     },
-    /// The loads turn the beam and do not press it down.
+    /// The loads rotate the beam without pressing it down.
     #[error("the loads have no resultant, but a couple of {}: nothing keeps the beam from turning", rounded(*moment))]
     Couple {
         /// Its magnitude \[force · length\].
         moment: f64,
     },
-    /// The resultant is above the one place about which the beam can turn, on ground or a support that gives.
+    /// The resultant is above the only position about which the beam can rotate, and the foundation or support there is elastic.
     #[error(
         "the loads have their resultant {} at x = {}, above the one place that could carry them alone: on what gives no position is \
          known to be one of rest",
@@ -95,19 +98,19 @@ pub enum Unheld {
     OnBorder {
         /// The resultant, positive downwards \[force\].
         force: f64,
-        /// Its place \[length\].
+        /// Its position \[length\].
         at: f64,
     },
     /// There is no load, or the loads balance each other.
     #[error("no load presses on the beam: any position is one of rest")]
     NothingPresses,
-    /// Hinges, and nothing below that could stop the beam.
+    /// Hinges make the beam a mechanism, and there is no foundation below it.
     #[error("the beam is a mechanism: its hinges let it move without bending, and there is no foundation to stop it")]
     Mechanism,
-    /// Neither supports nor ground.
+    /// There are neither supports nor a foundation.
     #[error("there is neither a support nor a foundation: nothing carries the beam")]
     NothingCarries,
-    /// One simple support, and no ground on the side to which the beam turns.
+    /// There is one simple support, and no contact on the side to which the beam rotates.
     #[error(
         "there is no {}: nothing keeps the beam from turning about its support at x = {}, with a moment of {}",
         match (grounded, 0.0 < *moment) {
@@ -119,17 +122,17 @@ pub enum Unheld {
         rounded(*moment)
     )]
     Turns {
-        /// True if there is anything else that pushes.
+        /// True if there is any other compressive contact.
         grounded: bool,
-        /// Where the support is \[length\].
+        /// Position of the support \[length\].
         at: f64,
-        /// The moment of the loads about it, positive clockwise \[force · length\].
+        /// The moment of the loads about the support, positive clockwise \[force · length\].
         moment: f64,
     },
 }
 
 impl Balance {
-    /// What is left free of a dimensionless scene.
+    /// Determines the free motions of a dimensionless scene.
     ///
     /// # Errors
     ///
@@ -138,7 +141,7 @@ impl Balance {
         if 0.0 < scene.beam().tension() {
             return Self::in_tension(scene);
         }
-        // Without ground, not even with supports that only push as supports that hold.
+        // Checks for a mechanism without a foundation, with compression-only supports counted as bilateral ones.
         let beam = scene.beam();
         let moves = || beam.is_mechanism(beam.holding().chain(pushing(scene)));
         match scene.foundation() {
@@ -147,7 +150,8 @@ impl Balance {
         }
     }
 
-    /// Under tension, which holds the beam against turning, wherever its loads have their resultant, and holds all parts between hinges.
+    /// The balance under tension. Tension prevents rotation for every position of the resultant, and it holds all parts between
+    /// hinges.
     fn in_tension(scene: &Scene) -> Result<Self, Unheld> {
         if scene.beam().holding().next().is_some() {
             return Ok(Self::Held);
@@ -161,7 +165,7 @@ impl Balance {
         }
     }
 
-    /// The same but for hinges.
+    /// The balance without regard to hinges and axial force.
     fn of_supports(scene: &Scene) -> Result<Self, Unheld> {
         let beam = scene.beam();
         match beam.holding().next() {
@@ -171,16 +175,16 @@ impl Balance {
         }
     }
 
-    /// Without a support that holds.
+    /// The balance without bilateral supports.
     fn of_free(scene: &Scene) -> Result<Self, Unheld> {
         let springs = scene.ground_stiffness().is_some();
         let Some(ends) = ends(scene) else { return Err(Unheld::NothingCarries) };
-        // Positive where the resultant is on the inner side of the left and of the right end.
+        // Positive if the resultant is on the inner side of the left and of the right end.
         let [left, right] = [Sum::of_moments(scene, ends[0]), Sum::of_moments(scene, ends[1]).negated()];
         let overturns = |force, at| Unheld::Overturns { force, at, grounded: scene.foundation().is_some(), ends };
         let (force, Resultant { force: weight, at }) = (Sum::of_forces(scene), resultant(scene));
         match (left.sign(), right.sign()) {
-            // Of one place alone both are of one sign, or none is.
+            // If only one position carries the beam, both have opposite signs or both are zero.
             (Ordering::Equal, Ordering::Equal) if force.sign() == Ordering::Greater => {
                 if gives(scene, ends[0]) {
                     return Err(Unheld::OnBorder { force: weight, at });
@@ -207,7 +211,7 @@ impl Balance {
                 if pushing(scene).filter(is_border).any(turns) {
                     return Err(Unheld::OnBorder { force: weight, at });
                 }
-                // Ground that gives carries nothing at a single place.
+                // An elastic foundation carries no force at a single position.
                 let there = |x: f64| !springs && Sum::of_moments(scene, x).sign() == Ordering::Equal;
                 let (resultant, about) = (resultant(scene), corner(scene, at, there));
                 Ok(about.map_or(Self::Stands(resultant), |about| Self::Neutral { resultant, about }))
@@ -215,7 +219,7 @@ impl Balance {
         }
     }
 
-    /// On one simple support.
+    /// The balance on one simple support.
     fn about(scene: &Scene, support: &Support) -> Result<Self, Unheld> {
         let (gives, ends) = (gives(scene, support.at), ends(scene));
         let turn = Sum::of_moments(scene, support.at);
@@ -229,7 +233,7 @@ impl Balance {
         }
     }
 
-    /// The resultant of the loads, of a beam that its supports do not hold.
+    /// The resultant of the loads if the supports do not hold the beam.
     #[must_use]
     pub fn resultant(&self) -> Option<Resultant> {
         match *self {
@@ -238,7 +242,7 @@ impl Balance {
         }
     }
 
-    /// From dimensionless numbers to the units of the scene.
+    /// Converts dimensionless numbers to the units of the scene.
     #[must_use]
     pub fn in_units_of(self, scale: &Scale) -> Self {
         let units = |r: Resultant| Resultant { force: r.force * scale.force, at: r.at * scale.length };
@@ -252,7 +256,8 @@ impl Balance {
     }
 }
 
-/// The outermost places that can carry a beam without supports that hold: ends of the ground, and supports that push.
+/// The outermost positions that can carry a beam without bilateral supports: ends of the foundation and compression-only
+/// supports.
 fn ends(scene: &Scene) -> Option<[f64; 2]> {
     let places = || pushing(scene).map(|support| support.at);
     let outermost = places().reduce(f64::min).zip(places().reduce(f64::max)).map(|(first, last)| [first, last]);
@@ -262,18 +267,18 @@ fn ends(scene: &Scene) -> Option<[f64; 2]> {
     }
 }
 
-/// The supports that only push.
+/// All compression-only supports, rigid and elastic.
 fn pushing(scene: &Scene) -> impl Iterator<Item = &Support> {
     scene.beam().bearings().iter().chain(scene.beam().springs().iter().filter(|support| support.pushes_only))
 }
 
-/// Whether what pushes at a place gives: ground, or a support there.
+/// Whether the contact at a position is elastic: the foundation, or the support there.
 fn gives(scene: &Scene, at: f64) -> bool {
     scene.ground_stiffness().is_some() || scene.beam().springs().iter().any(|spring| spring.at.total_cmp(&at).is_eq())
 }
 
-/// Whether a support that only pushes on either side, or an elastic foundation that begins at it or above it, may keep the beam from turning about
-/// a support.
+/// Whether other contacts may prevent rotation about a support: compression-only supports on both sides, a rigid foundation, or
+/// an elastic foundation on both sides that begins at the level of the support or above it.
 fn braced(scene: &Scene, about: &Support) -> bool {
     let any = |beside: &dyn Fn(&Support) -> bool| pushing(scene).any(beside);
     let is_between = any(&|bearing| bearing.at < about.at) && any(&|bearing| about.at < bearing.at);
@@ -283,14 +288,14 @@ fn braced(scene: &Scene, about: &Support) -> bool {
         || scene.ground_stiffness().is_some() && beside()
 }
 
-/// The resultant of the loads; its place is no number if they have none.
+/// The resultant of the loads; its position is not a finite number if the loads have no resultant force.
 fn resultant(scene: &Scene) -> Resultant {
     let force = Sum::of_forces(scene).value();
     Resultant { force, at: Sum::of_moments(scene, 0.0).value() / force }
 }
 
 impl Unheld {
-    /// From dimensionless numbers to the units of the scene.
+    /// Converts dimensionless numbers to the units of the scene.
     pub(super) fn in_units_of(self, scale: &Scale) -> Self {
         match self {
             Self::Overturns { force, at, grounded, ends } => {
@@ -308,8 +313,8 @@ impl Unheld {
     }
 }
 
-/// The corner or edge of the gap between ground and own shape, or the support that only pushes, that can carry the beam and is `at`
-/// a place, as far as `there` can tell: of the corners only the two next to it are looked at.
+/// A position near `at` where a corner or step of the gap, or a compression-only support, can carry the whole beam. `there`
+/// decides whether a position coincides with the resultant. Of the corners only the two next to `at` are checked.
 fn corner(scene: &Scene, at: f64, there: impl Fn(f64) -> bool) -> Option<f64> {
     let profiles = [scene.foundation(), scene.beam().shape()];
     let beside = |profile: Option<&Foundation>| {

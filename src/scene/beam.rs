@@ -1,4 +1,4 @@
-//! The beam: elastic, with its bending stiffness, its joints, its unloaded shape and its supports.
+//! The elastic beam: bending stiffness, joints, axial force, initial shape and supports.
 
 use std::sync::Arc;
 
@@ -7,29 +7,29 @@ use super::quantity::{Profile, ProfileKey, Quantity};
 use super::support::{Support, sorted};
 use super::{Foundation, Joint, Scale, pieces};
 
-/// An elastic beam from `x = 0` to `x = l`: straight and on two simple supports at its ends, unless it is said otherwise.
+/// An elastic beam from `x = 0` to `x = l`. By default it is straight and has two simple supports at its ends.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Beam {
     length: f64,
-    /// The least one.
+    /// The smallest bending stiffness along the beam.
     bending_stiffness: f64,
-    /// From each place on another one; none if there is one from end to end.
+    /// Positions and the bending stiffness that begins at each; empty if the stiffness is uniform.
     steps: Vec<[f64; 2]>,
     joints: Vec<Joint>,
     tension: f64,
     supports: Vec<Support>,
-    /// Those that only push.
+    /// Rigid compression-only supports.
     bearings: Vec<Support>,
-    /// Those that give.
+    /// Elastic supports.
     springs: Vec<Support>,
-    /// Which of the supports as they were given each of them is, those that hold the beam first, then those that only push.
+    /// For each support its index in the list as given: first `supports`, then `bearings`, then `springs`.
     given: Vec<usize>,
     shape: Option<Arc<Foundation>>,
 }
 
 impl Beam {
-    /// A straight beam of length `l` \[length\] and bending stiffness `EI` \[force · length²\] on two simple supports at its
-    /// ends, both at level 0: the paper's.
+    /// The paper's beam: straight, of length `l` \[length\] and bending stiffness `EI` \[force · length²\], on two simple
+    /// supports at its ends, both at level 0.
     ///
     /// # Errors
     ///
@@ -43,12 +43,12 @@ impl Beam {
         Ok(Self { length, bending_stiffness, steps, joints, tension, supports, bearings, springs, given, shape: None })
     }
 
-    /// The same beam on other supports, in any order; none at all is a beam that merely lies on the ground.
+    /// The same beam on other supports, given in any order. Without supports the beam only rests on the foundation.
     ///
     /// # Errors
     ///
-    /// A number that is not finite, a support that is not on the beam, two (nearly) at one place, or one that is built in at a
-    /// corner of the own shape.
+    /// A number that is not finite, a support outside the beam, two supports at (nearly) the same position, or a support that
+    /// prescribes the slope at a joint or at a corner of the initial shape.
     pub fn with_supports(self, supports: Vec<Support>) -> Result<Self, SceneError> {
         let all = sorted(supports, self.length)?;
         let (give, firm): (Vec<_>, Vec<_>) = all.into_iter().partition(|(_, support)| support.stiffness.is_some());
@@ -59,12 +59,12 @@ impl Beam {
         Self { supports, bearings, springs, given, ..self }.with_free_joints()?.with_definite_slopes()
     }
 
-    /// The same beam with an own shape `w0(x)`, the depth of its axis as long as nothing acts on it, positive downwards: any of
-    /// the kinds that a foundation has.
+    /// The same beam with an initial shape `w0(x)`: the depth of the axis of the unloaded beam, positive downwards. Every kind of
+    /// profile that a foundation can have is allowed.
     ///
     /// # Errors
     ///
-    /// Those of [`Foundation::checked`] that are not about supports, a step, or a corner at a built-in support.
+    /// Those of [`Foundation::checked`] that do not concern supports, a step, or a corner at a built-in support.
     pub fn with_shape(self, shape: Foundation) -> Result<Self, SceneError> {
         shape.check(Profile::Shape, self.length)?;
         if let Foundation::Polyline { points } = &shape {
@@ -82,7 +82,7 @@ impl Beam {
         Self { shape: Some(Arc::new(shape)), ..self }.with_definite_slopes()
     }
 
-    /// A built-in support holds one slope, and so does not stand at a corner of the own shape.
+    /// Returns an error if a support prescribes the slope at a corner of the initial shape, where the slope is not unique.
     fn with_definite_slopes(self) -> Result<Self, SceneError> {
         if let Some(shape) = &self.shape {
             let inside = |s: &&Support| s.slope.is_some() && 0.0 < s.at && s.at < self.length;
@@ -102,25 +102,26 @@ impl Beam {
         self.length
     }
 
-    /// `EI`, in steps the least one \[force · length²\].
+    /// `EI` \[force · length²\]; the smallest value if it varies in steps.
     #[must_use]
     pub fn bending_stiffness(&self) -> f64 {
         self.bending_stiffness
     }
 
-    /// `(x_i, EI_i)`, the bending stiffness from each place on; empty if it is one from end to end \[length, force · length²\].
+    /// `(x_i, EI_i)`, positions and the bending stiffness that begins at each \[length, force · length²\]; empty if it is
+    /// uniform.
     #[must_use]
     pub fn steps(&self) -> &[[f64; 2]] {
         &self.steps
     }
 
-    /// Its joints, in the order in which they were given.
+    /// The joints, in the order in which they were given.
     #[must_use]
     pub fn joints(&self) -> &[Joint] {
         &self.joints
     }
 
-    /// `N`, the axial force, negative for compression \[force\].
+    /// The axial force `N`, negative for compression \[force\].
     #[must_use]
     pub fn tension(&self) -> f64 {
         self.tension
@@ -131,7 +132,7 @@ impl Beam {
         Self { tension, ..self }
     }
 
-    /// The same beam with this least bending stiffness and these steps.
+    /// The same beam with this smallest bending stiffness and these steps.
     pub(super) fn stiff(self, bending_stiffness: f64, steps: Vec<[f64; 2]>) -> Self {
         Self { bending_stiffness, steps, ..self }
     }
@@ -141,36 +142,36 @@ impl Beam {
         Self { joints, ..self }
     }
 
-    /// What holds it at a level, from left to right: without the supports that only push or give.
+    /// The rigid bilateral supports from left to right, without compression-only and elastic supports.
     #[must_use]
     pub fn supports(&self) -> &[Support] {
         &self.supports
     }
 
-    /// What holds it both ways, at a level or about it.
+    /// The bilateral supports, rigid and elastic.
     pub(crate) fn holding(&self) -> impl Iterator<Item = &Support> {
         self.supports.iter().chain(self.springs.iter().filter(|support| !support.pushes_only))
     }
 
-    /// Whether its supports hold it against moving and turning: two of them, or one that holds the slope.
+    /// Whether the supports prevent rigid-body motion: at least two bilateral supports, or one that restrains rotation.
     #[must_use]
     pub fn is_held(&self) -> bool {
         2 <= self.holding().count() || self.holding().any(|support| support.slope.is_some())
     }
 
-    /// Whether a support at this place carries what stands on it, whatever the beam does.
+    /// Whether a rigid support at this position carries the loads directly above it in every state of the beam.
     pub(crate) fn carries(&self, at: f64) -> bool {
         let here = self.supports.get(self.supports.partition_point(|support| support.at < at));
         self.is_held() && here.is_some_and(|support| support.at <= at)
     }
 
-    /// The supports that only push, from left to right.
+    /// The rigid compression-only supports from left to right.
     #[must_use]
     pub fn bearings(&self) -> &[Support] {
         &self.bearings
     }
 
-    /// The supports that give against sinking, from left to right; some of them may only push.
+    /// The elastic supports from left to right; some of them may be compression-only.
     #[must_use]
     pub fn springs(&self) -> &[Support] {
         &self.springs
@@ -184,7 +185,7 @@ impl Beam {
         all
     }
 
-    /// The same in the order in which they were given, which the indices of a scene file count.
+    /// All supports in the order in which they were given. The indices in a scene file refer to this order.
     #[must_use]
     pub fn supports_as_given(&self) -> Vec<Support> {
         let all = self.supports.iter().chain(&self.bearings).chain(&self.springs).copied();
@@ -193,18 +194,19 @@ impl Beam {
         supports.into_iter().map(|(_, support)| support).collect()
     }
 
-    /// Its own shape `w0(x)` \[length\]; [`None`] if it is straight.
+    /// The initial shape `w0(x)` \[length\]; [`None`] if the beam is straight.
     #[must_use]
     pub fn shape(&self) -> Option<&Foundation> {
         self.shape.as_deref()
     }
 
-    /// The same, to be kept.
+    /// The initial shape as a shared pointer.
     pub(crate) fn shared_shape(&self) -> Option<Arc<Foundation>> {
         self.shape.clone()
     }
 
-    /// True for the paper's beam: straight, of one bending stiffness, without axial force, on two simple supports at its ends, both at level 0.
+    /// True for the paper's beam: straight, of uniform bending stiffness, without joints and axial force, on two simple supports
+    /// at its ends, both at level 0.
     #[must_use]
     pub fn is_simple(&self) -> bool {
         self.shape.is_none()
@@ -216,7 +218,7 @@ impl Beam {
             && self.supports == [Support::simple(0.0), Support::simple(self.length)]
     }
 
-    /// The same beam in other units, all powers of two; `stiffness` is that of `EI`.
+    /// The same beam in other units, all powers of two; `stiffness` is the unit of `EI`.
     pub(super) fn scaled(&self, scale: &Scale, stiffness: f64) -> Result<Self, SceneError> {
         let &Scale { length, depth, .. } = scale;
         let support = |s: &Support| Support {
@@ -244,7 +246,7 @@ impl Beam {
         }
     }
 
-    /// A bound on the deflection that supports and own shape prescribe: `max |level|`, `max |w0|`, `|slope| l` \[length\].
+    /// A bound on the deflection that supports and initial shape prescribe: `max |level|`, `max |w0|`, `|slope| l` \[length\].
     pub(super) fn given_deflection(&self) -> f64 {
         let levels = self
             .supports

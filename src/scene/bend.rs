@@ -1,12 +1,13 @@
-//! Bends of the foundation: by how much the slope of a chord grows from one side of a place to the other.
+//! The bend of a profile: the change of the chord slope at a position.
 //!
 //! ```text
 //! bend = (u(x + b) − u(x))/b − (u(x) − u(x − a))/a
 //! ```
 //!
-//! On a fine grid the three depths agree in almost all their digits, and their difference would be rounding alone. So each
-//! kind of profile has a formula of its own, in which nothing cancels. A polyline has two: over few points the sum of their
-//! kinks, over many the slopes of the two chords, in a time that does not grow with the points between.
+//! On a fine grid the three depths agree in almost all digits, so that their difference would contain only rounding. Each kind of
+//! profile therefore has its own formula, in which no digits cancel. A polyline has two formulas. Over few points it is the sum
+//! of the kinks. Over many points it is the difference of the two chord slopes, in a time that does not grow with the number of
+//! points between.
 
 use std::f64::consts::PI;
 use std::ops::Range;
@@ -14,9 +15,9 @@ use std::ops::Range;
 use super::{Foundation, polynomial};
 
 impl Foundation {
-    /// The growth of the slope, from the chord over the length `a` to the left of `x` to that over `b` to its right, both
-    /// positive. `a` and `b` may be rounded; they are a perturbation of places, not of depths. `ends` are the places at the
-    /// other ends of the two chords: at a step, a hair makes a difference.
+    /// The slope of the chord of length `b` to the right of `x` minus the slope of the chord of length `a` to its left; both
+    /// lengths are positive. Rounding of `a` and `b` perturbs positions and not depths. `ends` are the positions of the outer
+    /// ends of the two chords. At a step of the profile the smallest difference in them matters.
     #[must_use]
     #[inline]
     pub fn bend(&self, x: f64, a: f64, b: f64, ends: [f64; 2]) -> f64 {
@@ -35,7 +36,7 @@ impl Foundation {
     }
 }
 
-/// The bend of `cos` at the phase `angle`, over a length of `2a` to the left and `2b` to the right. With `S(t) = sin t / t`,
+/// The bend of `cos` at the phase `angle`, with chords of length `2a` to the left and `2b` to the right. With `S(t) = sin t / t`,
 ///
 /// ```text
 /// (cos(φ + 2b) − cos φ)/2b = −sin(φ + b) S(b),    (cos φ − cos(φ − 2a))/2a = −sin(φ − a) S(a)
@@ -49,25 +50,25 @@ fn cosine(angle: f64, a: f64, b: f64) -> f64 {
     -(1.0 - lack(a)) * sines - lopsided
 }
 
-/// `1 − sin t / t`, by its series where the difference would cancel.
+/// `1 − sin t / t`, computed from its series where the difference would cancel.
 fn lack(t: f64) -> f64 {
     if 0.5 < t.abs() {
         return 1.0 - libm::sin(t) / t;
     }
     let square = t * t;
-    // t²/3! (1 − t²/(4·5) (1 − t²/(6·7) (…))): what is left out, t¹²/(4 ⋯ 15), is below 10⁻¹⁵ of it for t ≤ 1/2.
+    // t²/3! (1 − t²/(4·5) (1 − t²/(6·7) (…))): the omitted term, t¹²/(4 ⋯ 15), is relatively below 10⁻¹⁵ for t ≤ 1/2.
     let inner = [156.0, 110.0, 72.0, 42.0, 20.0].iter().fold(1.0, |sum, divisor| 1.0 - square / divisor * sum);
     square / 6.0 * inner
 }
 
-/// Points between the two ends up to which kinks are summed. A kink has the rounding of two slopes, of segments, and two chords have
-/// no more. On rough ground, where the slopes of segments are far larger than those of chords, many kinks have far more: a million of
-/// both signs cancel but for the last few digits.
+/// The greatest number of points between the two ends for which kinks are summed. A kink has the rounding errors of two segment
+/// slopes, and two chords have no more. On rough foundations, where segment slopes are far greater than chord slopes, many kinks
+/// have far larger errors: a million kinks of both signs cancel except for the last few digits.
 const FEW: usize = 8;
 
-/// The bend at `x` of the chords to the two ends; [`None`] where there is a step that matters.
+/// The bend at `x` of the chords to the two ends; [`None`] if a step affects it.
 fn corners(points: &[[f64; 2]], x: f64, a: f64, b: f64, ends: [f64; 2]) -> Option<f64> {
-    // An end of the beam may have been rounded past the end of the polyline.
+    // An end of the beam may have been rounded beyond the end of the polyline.
     let (from, to) = (ends[0].max(points.first()?[0]), ends[1].min(points.last()?[0]));
     let before = parted(points, equally_spaced(points, from), |p| p[0] < from);
     let first = parted(points, before, |p| p[0] <= from);
@@ -77,7 +78,7 @@ fn corners(points: &[[f64; 2]], x: f64, a: f64, b: f64, ends: [f64; 2]) -> Optio
         return None;
     }
     if last <= first + FEW {
-        // The vertices strictly between, with one neighbour on each side.
+        // The vertices strictly between the ends, with one neighbour on each side.
         return kinks(points.get(first.checked_sub(1)?..=last)?, x, a, b, [from, to]);
     }
     let middle = parted(points, first, |p| p[0] < x);
@@ -89,8 +90,8 @@ fn corners(points: &[[f64; 2]], x: f64, a: f64, b: f64, ends: [f64; 2]) -> Optio
     Some(right / b - rise(points, [from, x], before..beyond)? / a)
 }
 
-/// `Σ κ φ`, the kinks at all points but the first and the last with the share of a hat that is 1 at `x` and ends at `from` and
-/// `to`; [`None`] where there is a step.
+/// `Σ κ φ`: the kinks at all points except the first and the last, weighted by a hat function that is 1 at `x` and vanishes at
+/// `from` and `to`; [`None`] if there is a step.
 fn kinks(points: &[[f64; 2]], x: f64, a: f64, b: f64, [from, to]: [f64; 2]) -> Option<f64> {
     let mut bend = 0.0;
     for three in points.windows(3) {
@@ -105,10 +106,11 @@ fn kinks(points: &[[f64; 2]], x: f64, a: f64, b: f64, [from, to]: [f64; 2]) -> O
     Some(bend)
 }
 
-/// By how much a polyline rises between two places, of which `inside` are its points; neither is at a step. Differences of depths
-/// that are given, and parts of segments at both ends: rounding is that of the rise, however large the depths are.
+/// The rise of a polyline between two positions, neither of them at a step; `inside` are the points between them. It is the
+/// difference of two given depths plus fractions of the segments at both ends. The rounding error is therefore relative to the
+/// rise and not to the depths.
 fn rise(points: &[[f64; 2]], [from, to]: [f64; 2], inside: Range<usize>) -> Option<f64> {
-    // From a place to another one in the segment that ends at a point.
+    // The rise between two positions in the segment that ends at a point.
     let part = |end: usize, [from, to]: [f64; 2]| {
         if to <= from {
             return Some(0.0);
@@ -123,7 +125,7 @@ fn rise(points: &[[f64; 2]], [from, to]: [f64; 2], inside: Range<usize>) -> Opti
     Some((last[1] - first[1]) + (part(inside.start, [from, first[0]])? + part(inside.end, [last[0], to])?))
 }
 
-/// The number of the point at a place, if points were equally spaced: about that of surveys.
+/// The index of the point at a position if the points were equally spaced, which is approximately true for surveys.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
@@ -136,8 +138,8 @@ fn equally_spaced(points: &[[f64; 2]], x: f64) -> usize {
     (share * (points.len() - 1) as f64) as usize
 }
 
-/// How many points come before a place, as `partition_point` has it, found from a guess in steps that double: O(log d) for
-/// one that is off by d.
+/// The number of points before a position, as from `partition_point`. The search starts from a guess with steps that double and
+/// needs O(log d) steps if the guess is wrong by d.
 fn parted(points: &[[f64; 2]], guess: usize, is_before: impl Fn(&[f64; 2]) -> bool) -> usize {
     let (mut low, mut high, mut step) = (guess, guess, 1);
     while 0 < low && !is_before(&points[low - 1]) {
@@ -161,12 +163,12 @@ mod tests {
     #[test]
     fn what_a_sine_lacks_has_all_its_digits() {
         const LACK: f64 = 0.041_148_922_791_594;
-        /// What the series leaves out, and rounding.
+        /// The omitted terms of the series, and rounding.
         const OFF: f64 = 2e-15;
         assert!((lack(0.5) / LACK - 1.0).abs() <= OFF, "{:e}", lack(0.5) / LACK - 1.0);
     }
 
-    /// Against the definition, on chords so long that it loses few digits.
+    /// Compares with the definition, on chords so long that it loses few digits.
     #[test]
     fn every_kind_bends_as_its_depths_do() {
         let points = vec![[0.0, 1.0], [2.0, 0.5], [3.0, 1.5], [3.0, 0.75], [6.0, 0.25], [10.0, 2.0]];
@@ -192,8 +194,8 @@ mod tests {
         }
     }
 
-    /// Over any number of points, on smooth and on rough ground however deep: depths are whole numbers, so that the definition is
-    /// rounded in its two quotients alone.
+    /// Any number of points, on smooth and rough foundations at any depth. The depths are integers, so that only the two
+    /// quotients of the definition are rounded.
     #[test]
     fn the_bend_over_many_points_loses_nothing() {
         const DEEP: f64 = 1_073_741_824.0;
@@ -241,7 +243,7 @@ mod tests {
         }
     }
 
-    /// A step between the ends does not matter, one at a place that carries the beam does: the smaller depth is the one there.
+    /// A step between the ends has no effect. A step at an end or at `x` has one: the smaller depth governs there.
     #[test]
     fn steps_bend_as_depths_do() {
         let points: Vec<[f64; 2]> =
@@ -252,12 +254,12 @@ mod tests {
             let (a, b) = (x - from, to - x);
             let expected = (u(to) - u(x)) / b - (u(x) - u(from)) / a;
             let found = profile.bend(x, a, b, [from, to]);
-            // Depths of up to a hundred, in a few roundings.
+            // Depths of up to a hundred, with a few roundings.
             assert!((found - expected).abs() < 1e-13, "{from}, {x}, {to}: {found} instead of {expected}");
         }
     }
 
-    /// From every guess, with points at one place and places beyond all points.
+    /// From every guess, with several points at one position and positions beyond all points.
     #[test]
     fn points_are_parted_from_any_guess() {
         let points: Vec<[f64; 2]> = [0, 1, 2, 2, 3, 5, 8, 8, 8, 9].map(|x| [f64::from(x), 0.0]).to_vec();
@@ -270,11 +272,11 @@ mod tests {
         }
     }
 
-    /// Where depths agree in all their digits, the bend of a cosine still is that of its curvature.
+    /// Where the depths agree in all digits, the bend of a cosine still follows its curvature.
     #[test]
     fn a_short_chord_loses_nothing() {
         let (wave, step) = (Foundation::Cosine { mean: 1e6, amplitude: 1.0, wavelength: 2.0 * PI, phase: 0.0 }, 1e-7);
-        // u'' = −cos x, and the next term of the second difference is smaller by the square of the step.
+        // u'' = −cos x; the next term of the second difference is smaller by the square of the step.
         assert!((wave.bend(1.0, step, step, [1.0 - step, 1.0 + step]) / (-libm::cos(1.0) * step) - 1.0).abs() < 1e-13);
         let dish = Foundation::Polynomial { coefficients: vec![1e6, 0.0, 0.5] };
         assert!((dish.bend(1.0, step, 2.0 * step, [1.0 - step, 1.0 + 2.0 * step]) / (1.5 * step) - 1.0).abs() < 1e-15);

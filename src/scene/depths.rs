@@ -1,15 +1,16 @@
-//! Depths of the foundation at many places: the same bits as one by one, in less time.
+//! Depths of the foundation at many positions: bitwise equal to single evaluations, but faster.
 
 use super::Foundation;
 use super::foundation::between;
 
 impl Foundation {
-    /// `u(x)` at ascending places, each as [`depth`](Self::depth) has it \[length\]. `depths` is as long as `places`.
+    /// Writes `u(x)` at positions in ascending order, each as [`depth`](Self::depth) computes it \[length\]. `depths` and
+    /// `places` have the same length.
     pub fn depths(&self, places: &[f64], depths: &mut [f64]) {
         match self {
             Self::Flat { depth } => depths.fill(*depth),
             Self::Polynomial { coefficients } => {
-                // Horner's scheme, one coefficient at all places after the other.
+                // Horner's scheme: each coefficient at all positions, one after the other.
                 depths.fill(0.0);
                 for c in coefficients.iter().rev() {
                     depths.iter_mut().zip(places).for_each(|(sum, x)| *sum = *sum * x + c);
@@ -17,7 +18,7 @@ impl Foundation {
             }
             Self::Cosine { .. } => depths.iter_mut().zip(places).for_each(|(u, x)| *u = self.depth(*x)),
             Self::Polyline { points } => {
-                // The first point that is not to the left, found once and then walked with the places.
+                // The first point that is not to the left of the position: found once, then advanced with the positions.
                 let mut after = places.first().map_or(0, |x| points.partition_point(|p| p[0] < *x));
                 for (u, &x) in depths.iter_mut().zip(places) {
                     after += points[after..].iter().take_while(|p| p[0] < x).count();
@@ -33,7 +34,7 @@ impl Foundation {
 mod tests {
     use super::*;
 
-    /// Places on, between and beyond the points, several in one segment and none in others.
+    /// Positions at, between and beyond the points; some segments contain several positions and others none.
     #[test]
     fn many_depths_are_the_bits_of_single_ones() {
         let points = vec![[0.0, 1.0], [2.0, 0.5], [3.0, 1.5], [3.0, 0.75], [3.1, 0.8], [3.2, 0.1], [10.0, 2.0]];

@@ -1,125 +1,125 @@
-//! What can be wrong with a scene: the quantity, its value and what is required of it.
+//! Everything that can be wrong with a scene: the quantity, its value and the requirement.
 
 use super::balance::Unheld;
 use super::quantity::{Profile, ProfileKey, Quantity};
 use super::scale::Scale;
 use super::written::{against, fitting, placed, shown};
 
-/// Why a scene was refused.
+/// The reason why a scene was rejected.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum SceneError {
-    /// A number that has to be positive is not.
+    /// A number must be positive and is not.
     #[error("`{quantity}` must be positive and finite, but is {}", shown(*value))]
     NotPositive {
-        /// Which number.
+        /// The quantity.
         quantity: Quantity,
         /// Its value.
         value: f64,
     },
-    /// A number is `nan` or infinite.
+    /// A number is NaN or infinite.
     #[error("`{quantity}` must be finite, but is {}", shown(*value))]
     NotFinite {
-        /// Which number.
+        /// The quantity.
         quantity: Quantity,
         /// Its value.
         value: f64,
     },
-    /// A place is not on the beam.
+    /// A position outside the beam.
     #[error("`{quantity}` must lie on the beam, between 0 and {}, but is {}", against(*length, *value), against(*value, *length))]
     OutsideBeam {
-        /// Which place.
+        /// The quantity.
         quantity: Quantity,
         /// Its value.
         value: f64,
         /// Length of the beam.
         length: f64,
     },
-    /// A line load that ends where it starts, or before.
+    /// A line load whose end is not to the right of its start.
     #[error("`{quantity}` must be greater than the start of the load, {}, but is {}", against(*from, *to), against(*to, *from))]
     EmptyLoad {
-        /// The end of the load.
+        /// The quantity that gives the end of the load.
         quantity: Quantity,
-        /// Where the load starts.
+        /// Start of the load.
         from: f64,
-        /// Where it ends.
+        /// End of the load.
         to: f64,
     },
-    /// A polynomial without coefficients, or with so many that 64 bits do not keep the digits of their sum.
+    /// A polynomial without coefficients, or with so many that their sum loses its digits in 64-bit arithmetic.
     #[error("`{}.polynomial` must have from 1 to {} coefficients, but has {count}; in place of more give points, or a survey", of.path(), super::polynomial::COEFFICIENTS)]
     Coefficients {
-        /// Of which profile.
+        /// The profile.
         of: Profile,
-        /// How many there are, up to the last one that is not zero.
+        /// Number of coefficients up to the last nonzero one.
         count: usize,
     },
-    /// A polyline of fewer than two points.
+    /// A polyline with fewer than two points.
     #[error("{of} given by points needs at least 2 of them, but has {count}")]
     TooFewPoints {
-        /// Which profile.
+        /// The profile.
         of: Profile,
-        /// How many there are.
+        /// Number of points.
         count: usize,
     },
-    /// Points of a polyline that run backwards.
+    /// The positions of a polyline decrease.
     #[error(
         "`{quantity}` must not be less than the place of the point before it, {}, but is {}",
         against(*previous, *value),
         against(*value, *previous)
     )]
     PointsRunBack {
-        /// The place that is too small.
+        /// The quantity that is too small.
         quantity: Quantity,
         /// Its value.
         value: f64,
-        /// The place before it.
+        /// The position of the point before it.
         previous: f64,
     },
-    /// More than two points of a polyline at the same place.
+    /// More than two points of a polyline at the same position.
     #[error("`{quantity}` is the third point at x = {}: two points make a step, more have no meaning", shown(*value))]
     ThreePointsAtOnePlace {
-        /// The third of them.
+        /// The quantity of the third point.
         quantity: Quantity,
-        /// Where.
+        /// The position.
         value: f64,
     },
     /// A polyline that does not reach from end to end of the beam.
     #[error("{of} given by points must reach from 0 to {}, but `{quantity}` is {}", against(*length, *value), against(*value, *length))]
     PointsDoNotCover {
-        /// Which profile.
+        /// The profile.
         of: Profile,
-        /// The first or the last place.
+        /// The first or the last position of the polyline.
         quantity: Quantity,
         /// Its value.
         value: f64,
         /// Length of the beam.
         length: f64,
     },
-    /// Two supports at the same place, or so close together that the last digits of their places decide how they turn the beam.
+    /// Two supports so close together that rounding of their positions would decide the slope of the beam.
     #[error(
         "`{quantity}` is {}, and another support is at x = {}: two supports must be more than {least:.1e} apart",
         against(*value, *other),
         against(*other, *value)
     )]
     SupportsTooClose {
-        /// The one of them that is given later.
+        /// The position that is given later.
         quantity: Quantity,
-        /// Where it is.
+        /// Its value.
         value: f64,
-        /// Where the other one is.
+        /// Position of the other support.
         other: f64,
-        /// The distance that is too small still.
+        /// The greatest distance that is still too small.
         least: f64,
     },
     /// A stiffness in steps without steps.
     #[error("`{of}.steps` needs at least one pair [x, stiffness], but has none")]
     NoSteps {
-        /// Which stiffness.
+        /// The stiffness.
         of: Quantity,
     },
     /// A negative stiffness of an elastic foundation.
     #[error("`{quantity}` must not be negative, but is {}; 0 leaves a gap without foundation", shown(*value))]
     NegativeGroundStiffness {
-        /// Which number.
+        /// The quantity.
         quantity: Quantity,
         /// Its value.
         value: f64,
@@ -127,83 +127,83 @@ pub enum SceneError {
     /// An elastic foundation whose stiffness is 0 from end to end.
     #[error("`{}` is 0 from end to end; leave out `[foundation]` if there is none", Quantity::GroundStiffness)]
     NoGroundAnywhere,
-    /// A step of the bending stiffness, or a joint, that is not where it could be.
+    /// A step of a stiffness, or a joint, at a position that is not allowed.
     #[error("`{quantity}` must {expected}, but is {}", shown(*value))]
     Misplaced {
-        /// Which place.
+        /// The quantity that gives the position.
         quantity: Quantity,
         /// Its value.
         value: f64,
-        /// What is required of it.
+        /// The requirement.
         expected: &'static str,
     },
-    /// A bending stiffness of a step that is not positive.
+    /// The bending stiffness of a step is not positive and finite.
     #[error("`{quantity}` must be positive and finite, but is {}; a hinge is one of `beam.joints`", shown(*value))]
     StepNotPositive {
-        /// Which number.
+        /// The quantity.
         quantity: Quantity,
         /// Its value.
         value: f64,
     },
-    /// Two joints at one place.
+    /// Two joints at the same position.
     #[error("`{quantity}` is {}, and another joint is at x = {}", shown(*value), shown(*other))]
     JointsTooClose {
-        /// The one of them that is given later.
+        /// The position that is given later.
         quantity: Quantity,
-        /// Where it is.
+        /// Its value.
         value: f64,
-        /// Where the other one is.
+        /// Position of the other joint.
         other: f64,
     },
-    /// A joint where the beam is built in, or a support has a spring against turning.
+    /// A joint at a support that restrains rotation, rigidly or with a spring.
     #[error(
         "`{quantity}` is {}, where a support holds the slope (`built_in` or `turning_stiffness`): give the joint a place beside the \
          support, on the side on which the beam turns",
         shown(*value)
     )]
     JointAtBuiltIn {
-        /// Which joint.
+        /// The position of the joint.
         quantity: Quantity,
-        /// Where it is.
+        /// Its value.
         value: f64,
     },
     /// A couple at a joint.
     #[error("`{quantity}` is {}, where a joint is: give it a place beside the joint, on the side on which it acts", shown(*value))]
     CoupleAtJoint {
-        /// Which couple.
+        /// The position of the couple.
         quantity: Quantity,
-        /// Where it acts.
+        /// Its value.
         value: f64,
     },
-    /// Compression that the beam does not bear.
+    /// Compression under which the beam is not stable.
     #[error(transparent)]
     Unstable(#[from] super::Unstable),
-    /// Something that does not know a part of the scene.
+    /// A feature of the scene that a computation does not support.
     #[error("{what} cannot compute {feature} yet")]
     NotKnown {
-        /// What was asked for.
+        /// The computation.
         what: &'static str,
-        /// What it does not know.
+        /// The feature.
         feature: &'static str,
     },
-    /// A step in the own shape: an axis has none.
+    /// A step in the initial shape: the axis of a beam is continuous.
     #[error("`{quantity}` is the second point at x = {}: the axis of a beam has no step", shown(*value))]
     StepInShape {
-        /// The second of the two points.
+        /// The position of the second of the two points.
         quantity: Quantity,
-        /// Where.
+        /// Its value.
         value: f64,
     },
-    /// A built-in support where the axis has a corner: its slope would be two.
+    /// A corner of the axis at a support that prescribes the slope: the slope is not unique there.
     #[error(
         "the own shape must not have a corner at a built-in support, which holds the slope, but has one at x = {}",
         shown(*at)
     )]
     CornerAtBuiltIn {
-        /// Where.
+        /// Position of the support.
         at: f64,
     },
-    /// A foundation that would push a support upwards: the problem has no solution.
+    /// A rigid foundation above a support: the problem has no solution.
     #[error(
         "the foundation must not lie above a support, but its depth at the support x = {} is {}, above the level {} of the \
          support: no deflection satisfies both on rigid ground; an elastic foundation (`stiffness`) may lie above a support",
@@ -212,14 +212,14 @@ pub enum SceneError {
         against(*level, *depth)
     )]
     AboveSupport {
-        /// Where the support is.
+        /// Position of the support.
         at: f64,
         /// Depth of the foundation there.
         depth: f64,
-        /// Depth of the support, greater.
+        /// Level of the support, deeper than the foundation.
         level: f64,
     },
-    /// A support that only pushes, in the ground or level with it: the beam can never reach it.
+    /// A compression-only support at or below the surface of a rigid foundation: the beam can never reach it.
     #[error(
         "a support with pushes_only must stand above the ground, but at x = {} its level is {} and the depth of the foundation {}: \
          rigid ground is in its way; in an elastic foundation (`stiffness`) it may stand",
@@ -228,33 +228,33 @@ pub enum SceneError {
         against(*depth, *level)
     )]
     BearingInGround {
-        /// Where the support is.
+        /// Position of the support.
         at: f64,
         /// Depth of the foundation there.
         depth: f64,
-        /// Depth of the support, not less.
+        /// Level of the support, at least as deep.
         level: f64,
     },
-    /// A support that only pushes and in which the beam is built in.
+    /// A built-in support that is also compression-only.
     #[error("the support at x = {} cannot both push only and be built in", shown(*at))]
     PushesBuiltIn {
-        /// Its place.
+        /// The position of the support.
         quantity: Quantity,
-        /// Where it is.
+        /// Its value.
         at: f64,
     },
-    /// A support that gives and in which the beam is built in.
+    /// A built-in support that is also elastic.
     #[error(
         "the support at x = {} cannot both give (`stiffness`) and be `built_in`: with `turning_stiffness` a spring holds the slope",
         shown(*at)
     )]
     GivesBuiltIn {
-        /// Its place.
+        /// The position of the support.
         quantity: Quantity,
-        /// Where it is.
+        /// Its value.
         at: f64,
     },
-    /// A foundation that starts at the level of a built-in support and rises from the beam: the problem has no solution.
+    /// A rigid foundation that begins at the level of a built-in support and rises above the beam: the problem has no solution.
     #[error(
         "the foundation must not rise above a beam that is built in, but at the built-in support x = {}, where it is level with \
          the beam, its slope to the {side} of it is {}, and that of the beam is {}: no deflection satisfies both on rigid ground; an \
@@ -264,16 +264,16 @@ pub enum SceneError {
         against(*held, *slope)
     )]
     RisesAtBuiltIn {
-        /// Where the support is.
+        /// Position of the support.
         at: f64,
-        /// On which side of it, `left` or `right`.
+        /// The side, `left` or `right`.
         side: &'static str,
-        /// Slope `u'` of the foundation there.
+        /// Slope `u'` of the foundation on this side.
         slope: f64,
-        /// Slope of the axis of the beam there.
+        /// Slope of the axis that the support prescribes.
         held: f64,
     },
-    /// A simple support in the bottom of a valley: the problem has no solution.
+    /// A simple support at the lowest point of a valley of the rigid foundation: the problem has no solution.
     #[error(
         "the foundation must not rise above the beam on both sides of a support, but at the simple support x = {}, where it is \
          level with the beam, its slope against that of the own shape is {} to the left and {} to the right of it: no deflection \
@@ -283,60 +283,60 @@ pub enum SceneError {
         against(slopes[1], slopes[0])
     )]
     ValleyAtSupport {
-        /// Where the support is.
+        /// Position of the support.
         at: f64,
-        /// Slopes `g'` of the gap to the left and to the right of it, the left one greater.
+        /// Slopes `g'` of the gap to the left and to the right of it; the left one is greater.
         slopes: [f64; 2],
     },
-    /// What the supports leave free is not held by the loads and the ground either.
+    /// Loads and foundation do not balance the motions that the supports leave free.
     #[error(transparent)]
     Unheld(#[from] Unheld),
-    /// What is not there yet for ground that gives.
+    /// A computation that does not support an elastic foundation.
     #[error("{what} needs rigid ground, but `{}` is given", Quantity::GroundStiffness)]
     NeedsRigidGround {
-        /// What was asked for.
+        /// The computation.
         what: &'static str,
     },
-    /// Numbers that are finite by themselves and not together.
+    /// Finite numbers from which a derived number overflows.
     #[error("`{quantity}` leads to numbers beyond the range of 64-bit floating point ({what} is {})", shown(*value))]
     Overflow {
-        /// Where it shows.
+        /// The quantity that the message names.
         quantity: Quantity,
-        /// Which derived number overflows.
+        /// The derived number.
         what: &'static str,
-        /// What it came to.
+        /// The value of the derived number.
         value: f64,
     },
-    /// What a grid needs a node for lies between its nodes.
+    /// A position that needs a node of its own has none on the grid.
     #[error("no node of {intervals} equal intervals lies on {} at x = {}; {}", placed(*quantity), shown(*at), fitting(*fits))]
     BetweenNodes {
-        /// The supports, a joint, or a step of the bending stiffness.
+        /// The position of a support, a joint or a step of the bending stiffness.
         quantity: Quantity,
-        /// Where it is.
+        /// Its value.
         at: f64,
-        /// The number of intervals asked for.
+        /// The requested number of intervals.
         intervals: usize,
-        /// The least number that has a node at each of them, if it is not too large.
+        /// The smallest number of intervals with a node at all of these positions; [`None`] above a limit.
         fits: Option<usize>,
     },
     /// A grid without interior nodes.
     #[error("the number of intervals must be at least 2, but is {intervals}")]
     TooFewIntervals {
-        /// The number asked for.
+        /// The requested number of intervals.
         intervals: usize,
     },
-    /// A grid that there is no memory for.
+    /// A grid that exceeds the available memory.
     #[error("there is no memory for {intervals} intervals, which take {} MB", bytes / 1_000_000)]
     NoMemory {
-        /// The number asked for.
+        /// The requested number of intervals.
         intervals: usize,
-        /// Bytes that they take.
+        /// Required memory in bytes.
         bytes: usize,
     },
 }
 
 impl SceneError {
-    /// What is wrong with a dimensionless scene on a grid, in the units of the scene.
+    /// Converts an error of a dimensionless scene on a grid to the units of the scene.
     #[must_use]
     pub(crate) fn in_units_of(mut self, scale: &Scale) -> Self {
         if let Self::BetweenNodes { at, .. } = &mut self {
@@ -345,7 +345,7 @@ impl SceneError {
         if let Self::Unstable(of) = self { of.times(scale.force * scale.length / scale.depth).into() } else { self }
     }
 
-    /// The quantity that the error is about, if it is about a single one: a scene file uses it to find the line.
+    /// The quantity that the error concerns, if there is a single one. A scene file uses it to find the line.
     #[must_use]
     pub(crate) fn quantity(&self) -> Option<Quantity> {
         let whole = |of| Some(Quantity::Profile(of, ProfileKey::Whole));
@@ -384,7 +384,7 @@ impl SceneError {
 
 /// `value` if it is positive and finite.
 pub(super) fn positive(quantity: Quantity, value: f64) -> Result<f64, SceneError> {
-    // The comparison also refuses NaN.
+    // The comparison also rejects NaN.
     if 0.0 < value && value < f64::INFINITY { Ok(value) } else { Err(SceneError::NotPositive { quantity, value }) }
 }
 
@@ -393,7 +393,7 @@ pub(super) fn finite(quantity: Quantity, value: f64) -> Result<f64, SceneError> 
     if value.is_finite() { Ok(value) } else { Err(SceneError::NotFinite { quantity, value }) }
 }
 
-/// `value` if it lies on a beam of length `length`.
+/// `value` if it is a position on a beam of length `length`.
 pub(super) fn on_beam(quantity: Quantity, value: f64, length: f64) -> Result<f64, SceneError> {
     finite(quantity, value)?;
     if (0.0..=length).contains(&value) { Ok(value) } else { Err(SceneError::OutsideBeam { quantity, value, length }) }

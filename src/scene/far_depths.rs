@@ -1,4 +1,4 @@
-//! Depths that are far from all others: mostly a mark for missing data, such as -9999, that was read as a depth.
+//! Depths that are far from all others: usually a marker for missing data, such as -9999, that was read as a depth.
 
 use std::fmt;
 
@@ -6,32 +6,33 @@ use super::written::shown;
 use super::{Foundation, Profile};
 use crate::text::Results;
 
-/// A depth is far where its distance from the median is more than this many times the range of those nearer to it. Grounds of any
-/// roughness are below: of depths that double from one to the next, none is twice as far as the range.
+/// A depth is far if its distance from the median exceeds this multiple of the range of the depths nearer to the median.
+/// Foundations of any roughness stay below the limit: among depths that double from one to the next, none is twice as far away as
+/// this range.
 const FAR: f64 = 1000.0;
 
-/// Depths that differ by less than this share of their size are one depth: no survey is known better. Their range would say nothing,
-/// and their size stands for it.
+/// Depths with a smaller relative difference count as one depth, since no survey is more accurate. Their magnitude then replaces
+/// their range.
 const ONE_DEPTH: f64 = 1e-6;
 
-/// Fewer depths have no others to be compared with.
+/// Fewer depths cannot be compared with others.
 const LEAST: usize = 3;
 
 /// Depths that are far from all others.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FarDepths {
-    /// Of which profile.
+    /// The profile.
     pub of: Profile,
-    /// How many.
+    /// The number of far depths.
     pub count: usize,
-    /// Place and depth of the first of them \[length\].
+    /// Position and depth of the first of them \[length\].
     pub first: [f64; 2],
-    /// The least and the greatest of the others \[length\].
+    /// The smallest and the greatest of the other depths \[length\].
     pub others: [f64; 2],
 }
 
 impl FarDepths {
-    /// The depths of a profile that are far from all others; of a polyline alone, as a formula has no missing data.
+    /// The far depths of a profile. Only polylines can have any, because formulas have no missing data.
     pub(super) fn of(of: Profile, profile: &Foundation) -> Option<Self> {
         let Foundation::Polyline { points } = profile else { return None };
         if points.len() < LEAST {
@@ -41,7 +42,7 @@ impl FarDepths {
         let mut depths: Vec<f64> = points.iter().map(|point| point[1]).collect();
         let median = *depths.select_nth_unstable_by(half, f64::total_cmp).1;
         let nearer = |a: &f64, b: &f64| (a - median).abs().total_cmp(&(b - median).abs());
-        // The nearer half first; of most grounds this is all that is looked at.
+        // The half nearer to the median first: for most foundations nothing else needs to be examined.
         depths.select_nth_unstable_by(half, nearer);
         let mut range = depths[..=half].iter().fold([median; 2], |range, depth| wider(range, *depth));
         let far = |range: [f64; 2], depth: f64| FAR * size(range) < (depth - median).abs() && 0.0 < size(range);
@@ -60,12 +61,12 @@ impl FarDepths {
     }
 }
 
-/// The range with one more depth.
+/// The range extended by one depth.
 fn wider([least, most]: [f64; 2], depth: f64) -> [f64; 2] {
     [least.min(depth), most.max(depth)]
 }
 
-/// What depths of this range may differ by.
+/// The size of a range, or the magnitude of its depths if they count as one depth.
 fn size([least, most]: [f64; 2]) -> f64 {
     let magnitude = least.abs().max(most.abs());
     if ONE_DEPTH * magnitude < most - least { most - least } else { magnitude }

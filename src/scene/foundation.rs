@@ -1,4 +1,4 @@
-//! The foundation: uneven, of known depth `u(x)`.
+//! The foundation: an uneven profile of known depth `u(x)`. Initial shapes of the beam use the same kinds of profile.
 
 use std::ops::Range;
 
@@ -7,7 +7,7 @@ use super::error::{SceneError, finite, on_beam, positive};
 use super::polynomial;
 use super::quantity::{Profile, ProfileKey, Quantity};
 
-/// Depth `u(x)` of the foundation, positive downwards; 0 is the level of supports unless they have another.
+/// Depth `u(x)` of a profile, positive downwards. The depth is 0 at the level of supports that are given no other level.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Foundation {
     /// `u = depth`.
@@ -31,28 +31,29 @@ pub enum Foundation {
         /// Phase at `x = 0` \[rad\].
         phase: f64,
     },
-    /// A polyline from end to end of the beam. Two points at one place make a step; the smaller depth governs there.
+    /// A polyline from end to end of the beam. Two points at the same position form a step, where the smaller depth governs.
     Polyline {
-        /// `[x, depth]`, places not decreasing.
+        /// `[x, depth]`, in ascending order of `x`.
         points: Vec<[f64; 2]>,
     },
 }
 
 impl Foundation {
-    /// This foundation as rigid ground, checked for `beam`.
+    /// This profile as a rigid foundation, checked for `beam`.
     ///
     /// # Errors
     ///
-    /// A number that is not finite, a wavelength that is not positive, a polyline that is not one or does not reach from
-    /// end to end of the beam, depths that overflow, a foundation above a support by more than the rounding of its depth
-    /// there, or one that rises beside a built-in support, at its level, faster than the beam there.
+    /// A number that is not finite, a wavelength that is not positive, a polyline that is invalid or does not reach from end to
+    /// end of the beam, or depths that overflow. At supports: a foundation above a support by more than the rounding of its
+    /// depth, at or above the level of a compression-only support, or one that rises above the beam next to a support at its
+    /// level.
     pub fn checked(self, beam: &Beam) -> Result<Self, SceneError> {
         let defined = self.defined_for(beam)?;
         defined.check_at_supports(beam)?;
         Ok(defined)
     }
 
-    /// The same without what rigid ground must not do at supports.
+    /// The profile with all checks except those of a rigid foundation at supports.
     pub(super) fn defined_for(self, beam: &Beam) -> Result<Self, SceneError> {
         self.check(Profile::Foundation, beam.length())?;
         let supports = beam.supports().iter().chain(beam.bearings());
@@ -62,7 +63,7 @@ impl Foundation {
         }
     }
 
-    /// The checks that a foundation and an own shape have in common.
+    /// The checks that apply to foundations and initial shapes.
     pub(super) fn check(&self, of: Profile, length: f64) -> Result<(), SceneError> {
         let number = |key| Quantity::Profile(of, key);
         match self {
@@ -94,9 +95,9 @@ impl Foundation {
         Ok(())
     }
 
-    /// `u(x)` \[length\]; at a step of a polyline the smaller of the two depths.
+    /// `u(x)` \[length\]; the smaller of the two depths at a step of a polyline.
     ///
-    /// `x` lies on the beam that the foundation was checked for.
+    /// `x` lies on the beam for which the foundation was checked.
     #[must_use]
     pub fn depth(&self, x: f64) -> f64 {
         match self {
@@ -109,7 +110,7 @@ impl Foundation {
         }
     }
 
-    /// `[u, u']` just to the left and just to the right of `x` \[length, 1\]; at an end of the beam both are those inside.
+    /// `[u, u']` just to the left and just to the right of `x` \[length, 1\]. At an end of the beam both are the values inside.
     #[must_use]
     pub fn sides(&self, x: f64) -> [[f64; 2]; 2] {
         match self {
@@ -125,7 +126,7 @@ impl Foundation {
             Self::Polyline { points } => {
                 let before = points.partition_point(|p| p[0] < x);
                 let beyond = points.partition_point(|p| p[0] <= x);
-                // The segments beside `x`: the last one that begins before it, and the first one that ends beyond it.
+                // The segments next to `x`: the last one that begins before it, and the first one that ends after it.
                 let left = before.checked_sub(1).and_then(|i| Some((points[i], *points.get(i + 1)?)));
                 let right = beyond.checked_sub(1).and_then(|i| Some((points[i], *points.get(i + 1)?)));
                 let side = |at: Option<([f64; 2], [f64; 2])>, here: usize| {
@@ -146,7 +147,7 @@ impl Foundation {
         }
     }
 
-    /// Magnitude of the numbers that add up to the slopes at `x`: what their rounding is relative to.
+    /// The magnitude of the terms whose sum is the slope at `x`. The rounding of the slope is relative to it.
     pub(super) fn slope_size(&self, x: f64) -> f64 {
         match self {
             Self::Flat { .. } => 0.0,
@@ -164,25 +165,25 @@ impl Foundation {
         }
     }
 
-    /// A depth that overflows at a support: of finite numbers only the angle of a wave can.
+    /// The error for a depth that overflows at a support. With finite numbers only the angle of a cosine can overflow.
     pub(super) fn overflow_at(&self, x: f64) -> SceneError {
         self.overflow_of(Profile::Foundation, x)
     }
 
-    /// The same of one profile or the other.
+    /// The error for a depth of either profile that overflows at a support.
     pub(super) fn overflow_of(&self, of: Profile, x: f64) -> SceneError {
         let quantity = Quantity::Profile(of, ProfileKey::Wavelength);
         SceneError::Overflow { quantity, what: "the depth at a support", value: self.depth(x) }
     }
 
-    /// Magnitude of the numbers that add up to `u(x)`: what its rounding is relative to \[length\].
+    /// The magnitude of the terms whose sum is `u(x)` \[length\]. The rounding of the depth is relative to it.
     #[must_use]
     pub fn magnitude_at(&self, x: f64) -> f64 {
         match self {
             Self::Flat { depth } => depth.abs(),
             Self::Polynomial { coefficients } => polynomial::magnitudes_at(coefficients, x)[0],
             Self::Cosine { mean, amplitude, wavelength, phase } => {
-                // The angle is rounded as well.
+                // The angle is also rounded.
                 let angle = 2.0 * std::f64::consts::PI * (x / wavelength).abs() + phase.abs();
                 mean.abs() + amplitude.abs() * (1.0 + angle)
             }
@@ -204,12 +205,12 @@ impl Foundation {
         }
     }
 
-    /// The same foundation in units of `length` along the beam and `depth` across it, both powers of two.
+    /// The same profile in units of `length` along the beam and `depth` across it, both powers of two.
     pub(super) fn scaled(&self, length: f64, depth: f64) -> Self {
         match self {
             Self::Flat { depth: u } => Self::Flat { depth: u / depth },
             Self::Polynomial { coefficients } => {
-                // In one step: a power of the length, or a quotient by the depth, may leave the range of f64 where all of it
+                // In one step: a power of the length or a quotient by the depth may leave the range of `f64` although the result
                 // does not.
                 let [length, depth] = [length, depth].map(|unit| i64::from(libm::ilogb(unit)));
                 let scaled = (0..).zip(coefficients).map(|(j, c)| {
@@ -231,7 +232,7 @@ impl Foundation {
     }
 }
 
-/// A polyline runs from 0 to `l`, forwards, with at most two points at one place.
+/// Checks that a polyline runs from 0 to `l` in ascending order, with at most two points at one position.
 fn check_polyline(of: Profile, points: &[[f64; 2]], length: f64) -> Result<(), SceneError> {
     let number = |key| Quantity::Profile(of, key);
     let [first, .., last] = points else {
@@ -258,19 +259,20 @@ fn check_polyline(of: Profile, points: &[[f64; 2]], length: f64) -> Result<(), S
     Ok(())
 }
 
-/// Depth of a polyline at `x`: interpolated between the points around it, the smaller one at a step.
+/// Depth of a polyline at `x`: interpolated between the neighbouring points, the smaller depth at a step.
 fn polyline_depth(points: &[[f64; 2]], x: f64) -> f64 {
     let after = points.partition_point(|p| p[0] < x);
     let beyond = points.partition_point(|p| p[0] <= x);
     between(points, after..beyond, x)
 }
 
-/// The same, where it is known which points lie at `x`: the end of those before, and the beginning of those behind.
+/// Depth of a polyline at `x`, given the range of the points that lie at `x`. If there are none, `here.start` is the index of the
+/// next point.
 pub(super) fn between(points: &[[f64; 2]], here: Range<usize>, x: f64) -> f64 {
     if !here.is_empty() {
         return points[here].iter().fold(f64::INFINITY, |least, p| least.min(p[1]));
     }
-    // Strictly between two points, or, for `x` off the beam, the nearest one.
+    // Strictly between two points, or, for `x` outside the polyline, the depth of the nearest point.
     let after = here.start;
     let (Some(left), Some(right)) = (after.checked_sub(1).map(|i| points[i]), points.get(after)) else {
         return points[after.min(points.len() - 1)][1];
@@ -283,7 +285,7 @@ pub(super) fn between(points: &[[f64; 2]], here: Range<usize>, x: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// A slope is rounded as its largest value is, and by as much more as the angle of the wave is.
+    /// The rounding of a slope is relative to its largest value, and it grows with the angle of the wave.
     #[test]
     fn the_size_of_a_slope_grows_with_the_angle() {
         use std::f64::consts::FRAC_PI_2;

@@ -1,43 +1,44 @@
-//! Equal intervals from end to end of the beam, and the gaps and loads at their nodes.
+//! A grid of equal intervals from end to end of the beam, with the gaps and loads at its nodes.
 
 use std::ops::Range;
 
 use super::{Concentrated, Foundation, Scene, SceneError};
 use crate::memory::can_be_had;
 
-/// `N = n + 1` equal intervals with `n` interior nodes; node `i` lies at `x_i = l i / N`, `i = 0 … N`.
+/// `N = n + 1` equal intervals with `n` interior nodes. Node `i` is at `x_i = l i / N`, `i = 0 … N`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Grid {
     length: f64,
     intervals: usize,
 }
 
-/// Whether two places on a beam are one but for rounding: nearer than some units in the last place of its length.
+/// Whether two positions on a beam are equal within rounding: nearer than some units in the last place of its length.
 pub(crate) fn is_same_place(x: f64, other: f64, length: f64) -> bool {
-    /// 45 units in the last place: of a place that went through a division and back, and through another unit of length.
+    /// 45 units in the last place: enough for a position that was divided, multiplied back and converted to another unit of
+    /// length.
     const ROUNDING: f64 = 1e-14;
     (x - other).abs() <= ROUNDING * length
 }
 
-/// The most intervals that are tried to find a grid with nodes at some places.
+/// The greatest number of intervals that is tried to find a grid with nodes at given positions.
 pub(super) const MOST_FITTING: usize = 10_000;
 
-/// Nodes whose places and depths are taken together: few enough for the nearest cache.
+/// Number of nodes whose positions and depths are computed together: few enough for the fastest cache.
 const BATCH: usize = 256;
 
-/// Memory for an interval while our own solvers run: some 64 bytes were measured on 10⁷ intervals, by every method.
+/// Memory per interval while our own solvers run. About 64 bytes were measured on 10⁷ intervals with every method.
 const BYTES_PER_INTERVAL: usize = 100;
 
-/// The same on ground that gives: some 130 bytes were measured on 10⁶ intervals.
+/// Memory per interval on an elastic foundation. About 130 bytes were measured on 10⁶ intervals.
 const BYTES_ON_SPRINGS: usize = 200;
 
 impl Grid {
-    /// A grid of `intervals` on the beam of `scene`.
+    /// A grid with this number of intervals on the beam of `scene`.
     ///
     /// # Errors
     ///
-    /// [`SceneError::TooFewIntervals`] for fewer than 2: there would be no interior node. [`SceneError::NoMemory`] where a solve
-    /// on it would run out of memory.
+    /// [`SceneError::TooFewIntervals`] for fewer than 2, which would leave no interior node. [`SceneError::NoMemory`] if a solve
+    /// on the grid would exceed the available memory.
     pub fn uniform(scene: &Scene, intervals: usize) -> Result<Self, SceneError> {
         if intervals < 2 {
             return Err(SceneError::TooFewIntervals { intervals });
@@ -62,11 +63,12 @@ impl Grid {
         self.length / self.intervals as f64
     }
 
-    /// `1/∫k`, how far ground gives at a node under a unit force, with the integral over half an interval on each side of it: an end of the
-    /// beam has half a spring. Of the ground its [parts](Scene::ground_parts) of one stiffness each; rigid ground has none, and does not give.
+    /// `1/∫k`, the flexibility of the foundation at a node: its settlement under a unit force. The integral covers half an
+    /// interval on each side of the node, so that an end of the beam has half a spring. `ground` lists the
+    /// [parts](Scene::ground_parts) of uniform stiffness; it is empty for a rigid foundation, which has no flexibility.
     ///
-    /// Beside supports that only push and are sunk into the ground each of these leaves half a spring to each of its neighbours, so that it
-    /// stands on its node alone.
+    /// A node with a compression-only support below the surface of the foundation (`is_sunk`) has no spring of its own. Each of
+    /// its neighbours receives half of that spring.
     pub(crate) fn give(&self, ground: &[([f64; 2], f64)], node: usize, is_sunk: impl Fn(usize) -> bool) -> f64 {
         let side = |inside: bool, beside: usize| match inside {
             true if is_sunk(beside) => 1.0,
@@ -86,7 +88,7 @@ impl Grid {
         1.0 / spring
     }
 
-    /// The same of what is below a node of a scene: a support that only pushes does not give.
+    /// The flexibility of the foundation or support below a node of a scene. A rigid compression-only support has none.
     pub(crate) fn give_of(&self, scene: &Scene, node: usize) -> f64 {
         let bearings = scene.beam().bearings();
         let at = |node: usize| bearings.iter().find(|bearing| self.nearest(bearing.at / self.length) == node);
@@ -101,21 +103,22 @@ impl Grid {
         }
     }
 
-    /// `x_i`, rounded once more than the product `l i`, so that a node at a round place hits it; the last one is the end of the beam.
+    /// `x_i`, rounded once after the product `l i`, so that a node at a round position is exact. The last node is the end of the
+    /// beam.
     #[must_use]
     #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ intervals")]
     pub fn place(&self, i: usize) -> f64 {
         if i == self.intervals { self.length } else { self.length * i as f64 / self.intervals as f64 }
     }
 
-    /// The node at a place, if there is one but for rounding.
+    /// The node at a position, within rounding; [`None`] if there is none.
     #[must_use]
     pub fn node_at(&self, x: f64) -> Option<usize> {
         let node = self.nearest(x / self.length);
         is_same_place(x, self.place(node), self.length).then_some(node)
     }
 
-    /// The node nearest to a place that is given as a share of the length.
+    /// The node nearest to a position given as a fraction of the length.
     #[must_use]
     #[expect(
         clippy::cast_possible_truncation,
@@ -127,8 +130,8 @@ impl Grid {
         ((share * self.intervals as f64).round() as usize).min(self.intervals)
     }
 
-    /// The least number of equal intervals, of at most 10 000, with a node at every support, joint and change of the bending stiffness
-    /// of `scene`.
+    /// The smallest number of equal intervals, at most 10 000, with a node at every support, joint and change of the bending
+    /// stiffness of `scene`.
     #[must_use]
     pub fn least_fitting(scene: &Scene) -> Option<usize> {
         let beam = scene.beam();
@@ -139,7 +142,7 @@ impl Grid {
         Self::least_with(beam.length(), &places)
     }
 
-    /// The least number of equal intervals with a node of its own at each of some places, from left to right.
+    /// The smallest number of equal intervals with a separate node at each of the given positions, which are in ascending order.
     fn least_with(length: f64, places: &[f64]) -> Option<usize> {
         let fits = |intervals: usize| {
             let grid = Self { length, intervals };
@@ -149,8 +152,9 @@ impl Grid {
         (2..=MOST_FITTING).find(|&intervals| fits(intervals))
     }
 
-    /// Every grid with a node at each support of `scene` has a multiple of so many intervals; 1 if there are supports at the ends
-    /// only. Coarser grids than that of an answer have no node at joints and changes of the bending stiffness.
+    /// Every grid with a node at each support of `scene` has a multiple of this number of intervals; 1 if there are supports only
+    /// at the ends. Joints and changes of the bending stiffness are not considered, because grids coarser than the requested one
+    /// have no node there.
     pub(crate) fn step(scene: &Scene) -> Option<usize> {
         let beam = scene.beam();
         let supports: Vec<f64> = beam.all_supports().iter().map(|support| support.at).collect();
@@ -158,12 +162,12 @@ impl Grid {
         if inside { Self::least_with(beam.length(), &supports) } else { Some(1) }
     }
 
-    /// `x_i` for `i = first, first + 1, …`, as many as there is room for.
+    /// Writes `x_i` for `i = first, first + 1, …` until `places` is full.
     #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ intervals")]
     pub fn places(&self, first: usize, places: &mut [f64]) {
         for (k, batch) in places.chunks_mut(BATCH).enumerate() {
             let begin = (first + k * BATCH) as f64;
-            // In a batch a small whole number counts: it becomes a number of the kind that is divided at no cost.
+            // Within a batch the index is a small integer, which converts to a floating-point number at no cost.
             for (x, i) in batch.iter_mut().zip(0_i32..) {
                 *x = self.length * (begin + f64::from(i)) / self.intervals as f64;
             }
@@ -173,8 +177,8 @@ impl Grid {
         }
     }
 
-    /// Gaps `g_i` below the undeflected beam at some neighbouring nodes, of a straight beam the depths `u_i`; infinite where there
-    /// is no foundation.
+    /// The gaps `g_i` below the undeflected beam at consecutive nodes, infinite without a foundation. For a straight beam they
+    /// are the depths `u_i`.
     #[must_use]
     pub(crate) fn gaps_at(&self, scene: &Scene, nodes: Range<usize>) -> Vec<f64> {
         if let (Some(Foundation::Flat { depth }), None, []) =
@@ -193,11 +197,10 @@ impl Grid {
         gaps
     }
 
-    /// Loads as forces on all `N + 1` nodes, both ends included \[force\].
+    /// The loads as forces at all `N + 1` nodes, both ends included \[force\].
     ///
-    /// Each part of the load between two nodes goes to these by the law of the lever, so that its resultant force and
-    /// moment are kept: `∫ q φ_i dx` with the hat function `φ_i`. For a uniform load `q_i = q₀Δ`, as in (27), and `q₀Δ/2`
-    /// at each end.
+    /// The load between two nodes is distributed to them by the lever rule, `∫ q φ_i dx` with the hat function `φ_i`, so that its
+    /// resultant and moment are preserved. For a uniform load the forces are `q_i = q₀Δ`, as in (27), and `q₀Δ/2` at each end.
     #[must_use]
     pub fn nodal_loads(&self, scene: &Scene) -> Vec<f64> {
         let load = scene.load();
@@ -212,7 +215,7 @@ impl Grid {
                 if a < b {
                     let (start, end) = (part.intensity(a), part.intensity(b));
                     let force = 0.5 * (start + end) * (b - a);
-                    // First moment about `a` of a trapezoid.
+                    // First moment of a trapezoid about `a`.
                     let moment = (start + 2.0 * end) * (b - a) * (b - a) / 6.0;
                     let to_right = (force * (a - left) + moment) / (right - left);
                     forces[i] += force - to_right;
@@ -235,14 +238,15 @@ impl Grid {
         forces
     }
 
-    /// Adds a couple at a node: it does its work at the slope there, at an end of the beam `(−3 v₀ + 4 v₁ − v₂)/2Δ`, and inside
+    /// Adds a couple at a node as forces that do the same work. The slope is `(−3 v₀ + 4 v₁ − v₂)/2Δ` at an end of the beam, and
+    /// inside
     ///
     /// ```text
     /// (2 e₋ (v_{i+1} − v_i) + 2 e₊ (v_i − v_{i−1})) / (e₋ + e₊) / 2Δ        e = 1/EI on both sides
     /// ```
     ///
-    /// `(v_{i+1} − v_{i−1})/2Δ` of a beam that does not change there. Both are exact but for terms of the order `Δ²`: one bending moment
-    /// bends both sides, so that the errors of the two chords cancel.
+    /// which is `(v_{i+1} − v_{i−1})/2Δ` where the stiffness does not change. Both formulas are exact except for terms of the
+    /// order `Δ²`: the same bending moment acts on both sides, so that the errors of the two chords cancel.
     fn add_couple(&self, scene: &Scene, node: usize, couple: f64, forces: &mut [f64]) {
         let unit = couple / (2.0 * self.spacing());
         if node == 0 || node == self.intervals {
@@ -260,13 +264,13 @@ impl Grid {
         forces[node + 1] += behind * unit;
     }
 
-    /// The same at the nodes `first, first + 1, …`, as many as there is room for; zero behind the last one.
+    /// Writes the loads at the nodes `first, first + 1, …` until `forces` is full; zero beyond the last node.
     pub fn loads(&self, scene: &Scene, first: usize, forces: &mut [f64]) {
         let all = self.nodal_loads(scene);
         forces.iter_mut().enumerate().for_each(|(k, force)| *force = all.get(first + k).copied().unwrap_or(0.0));
     }
 
-    /// The interval `i`, from node `i` to node `i + 1`, in which `x` lies.
+    /// The interval `i`, from node `i` to node `i + 1`, that contains `x`.
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -275,7 +279,7 @@ impl Grid {
     )]
     fn interval_of(&self, x: f64) -> usize {
         let guess = ((x / self.length * self.intervals as f64) as usize).min(self.intervals - 1);
-        // The quotient may be rounded across a node.
+        // The quotient may be rounded beyond a node.
         if x < self.place(guess) {
             guess - 1
         } else if self.place(guess + 1) < x && guess + 1 < self.intervals {

@@ -1,4 +1,4 @@
-//! How stiff an elastic foundation is along the beam: one stiffness `k`, or steps of it.
+//! The stiffness of an elastic foundation along the beam: one value `k`, or steps.
 //!
 //! ```text
 //! p = k(x) (v − g)₊,    k(x) = k_i from x_i on        where k = 0 there is no foundation at all
@@ -12,9 +12,9 @@ use super::{Beam, Foundation, Load, Scene};
 /// The stiffness `k` of an elastic foundation.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct GroundStiffness {
-    /// The greatest one, positive.
+    /// The greatest stiffness, positive.
     pub(super) greatest: f64,
-    /// From each place on another one; none if there is one from end to end.
+    /// Positions and the stiffness that begins at each; empty if the stiffness is uniform.
     pub(super) steps: Vec<[f64; 2]>,
 }
 
@@ -38,19 +38,19 @@ impl GroundStiffness {
         Ok(Self { greatest, steps })
     }
 
-    /// In other units: `of` converts a stiffness, `length` is the unit of length.
+    /// The stiffness in other units: `of` converts a stiffness, `length` is the unit of length.
     pub(super) fn scaled(&self, length: f64, of: impl Fn(f64) -> f64) -> Self {
         let steps = self.steps.iter().map(|&[at, value]| [super::pieces::place(at / length), of(value)]).collect();
         Self { greatest: of(self.greatest), steps }
     }
 
-    /// `k` just left and just right of a place.
+    /// `k` just to the left and just to the right of a position.
     fn beside(&self, x: f64) -> [f64; 2] {
         let at = |next: usize| next.checked_sub(1).map_or(self.greatest, |i| self.steps[i][1]);
         [at(self.steps.partition_point(|step| step[0] < x)), at(self.steps.partition_point(|step| step[0] <= x))]
     }
 
-    /// Parts with one stiffness each: from, to, `k`.
+    /// The parts of uniform stiffness: `[from, to]` and `k`.
     fn parts(&self, length: f64) -> impl Iterator<Item = ([f64; 2], f64)> + '_ {
         let end = move |i: usize| self.steps.get(i + 1).map_or(length, |next| next[0]);
         let one = self.steps.is_empty().then_some(([0.0, length], self.greatest));
@@ -60,8 +60,8 @@ impl GroundStiffness {
 }
 
 impl Scene {
-    /// The same scene on ground that gives: under a penetration `v − g` it presses with `k (v − g)` and cannot pull, a unilateral
-    /// Winkler foundation.
+    /// The same scene on an elastic foundation that presses with `k (v − g)` under a penetration `v − g` and carries no tension:
+    /// a unilateral Winkler foundation.
     ///
     /// # Errors
     ///
@@ -70,7 +70,7 @@ impl Scene {
         Ok(Self { stiffness: Some(GroundStiffness::one(stiffness)?), ..self.clone() })
     }
 
-    /// A scene above a foundation with another stiffness from each place on, `(x_i, k_i)` \[length, force / length²\].
+    /// A scene above a foundation whose stiffness varies in steps, `(x_i, k_i)` \[length, force / length²\].
     ///
     /// # Errors
     ///
@@ -85,48 +85,50 @@ impl Scene {
         Self::built(beam, load, foundation, Some(stiffness))
     }
 
-    /// The same with another stiffness from each place on, `(x_i, k_i)`; where it is 0 there is no foundation
-    /// \[length, force / length²\].
+    /// The same scene on an elastic foundation whose stiffness varies in steps, `(x_i, k_i)` \[length, force / length²\]. Where
+    /// `k_i = 0` there is no foundation.
     ///
     /// # Errors
     ///
-    /// No steps, steps that do not begin at 0, that go back or begin at the end of the beam, a stiffness that is negative, and a
-    /// foundation that is nowhere.
+    /// No steps, a first step that does not begin at 0, steps that are not in ascending order or begin at the end of the beam, a
+    /// negative stiffness, and a stiffness that is 0 everywhere.
     pub fn on_springs_in_steps(&self, steps: Vec<[f64; 2]>) -> Result<Self, SceneError> {
         let stiffness = GroundStiffness::in_steps(steps, self.beam.length())?;
         Ok(Self { stiffness: Some(stiffness), ..self.clone() })
     }
 
-    /// `k` of ground that gives, in steps the greatest one \[force / length²\]; none where it is rigid, or where there is no foundation.
+    /// `k` of an elastic foundation \[force / length²\], the greatest value if it varies in steps; [`None`] if the foundation is
+    /// rigid or absent.
     #[must_use]
     pub fn ground_stiffness(&self) -> Option<f64> {
         self.given_stiffness().map(|stiffness| stiffness.greatest)
     }
 
-    /// `(x_i, k_i)`, the stiffness of an elastic foundation from each place on; empty if it is one from end to end
-    /// \[length, force / length²\].
+    /// `(x_i, k_i)`, positions and the stiffness of the elastic foundation that begins at each \[length, force / length²\]; empty
+    /// if it is uniform.
     #[must_use]
     pub fn ground_steps(&self) -> &[[f64; 2]] {
         self.given_stiffness().map_or(&[], |stiffness| &stiffness.steps)
     }
 
-    /// Parts of the beam with one stiffness of the foundation each, from end to end: `[from, to]` and `k`; none on rigid ground.
+    /// The parts of the beam with a uniform stiffness of the foundation, from end to end: `[from, to]` and `k`; none on a rigid
+    /// foundation.
     pub fn ground_parts(&self) -> impl Iterator<Item = ([f64; 2], f64)> + '_ {
         self.given_stiffness().into_iter().flat_map(|stiffness| stiffness.parts(self.beam.length()))
     }
 
-    /// Where the stiffness of an elastic foundation changes, from left to right \[length\].
+    /// The positions at which the stiffness of an elastic foundation changes, from left to right \[length\].
     pub(crate) fn ground_changes(&self) -> impl Iterator<Item = f64> + '_ {
         self.ground_steps().windows(2).filter(|two| two[0][1].total_cmp(&two[1][1]).is_ne()).map(|two| two[1][0])
     }
 
-    /// `k` just left and just right of a place; rigid ground, and none, has the stiffness 0.
+    /// `k` just to the left and just to the right of a position; 0 for a rigid foundation and without a foundation.
     #[must_use]
     pub(crate) fn ground_stiffness_beside(&self, x: f64) -> [f64; 2] {
         self.given_stiffness().map_or([0.0; 2], |stiffness| stiffness.beside(x))
     }
 
-    /// Whether there is foundation just left and just right of a place, rigid or elastic.
+    /// Whether there is a foundation, rigid or elastic, just to the left and just to the right of a position.
     pub(crate) fn is_grounded_beside(&self, x: f64) -> [bool; 2] {
         match self.given_stiffness() {
             Some(stiffness) => stiffness.beside(x).map(|k| 0.0 < k),
@@ -134,7 +136,7 @@ impl Scene {
         }
     }
 
-    /// The outermost places below which there is foundation; [`None`] if there is none.
+    /// The outermost positions above the foundation; [`None`] if there is no foundation.
     pub(super) fn ground_ends(&self) -> Option<[f64; 2]> {
         let length = self.beam.length();
         let Some(stiffness) = self.given_stiffness() else {
@@ -165,7 +167,7 @@ impl Scene {
         Ok(other.labelled(self.title.clone(), self.units.clone()))
     }
 
-    /// The stiffness where there is a foundation.
+    /// The stiffness if there is a foundation.
     fn given_stiffness(&self) -> Option<&GroundStiffness> {
         self.stiffness.as_ref().filter(|_| self.foundation.is_some())
     }

@@ -1,22 +1,22 @@
-//! What not everybody can compute yet: who cannot asks first, and refuses.
+//! Checks for features that not every computation supports; a computation calls them before it starts.
 
 use super::{Scene, SceneError};
 
 impl Scene {
-    /// Whether the ground of a scene is rigid, or there is none.
+    /// Checks that the foundation is rigid or absent.
     ///
     /// # Errors
     ///
-    /// [`SceneError::NeedsRigidGround`] if not, naming what asked for it.
+    /// [`SceneError::NeedsRigidGround`] otherwise, with the name of the computation.
     pub fn on_rigid_ground(&self, what: &'static str) -> Result<(), SceneError> {
         self.ground_stiffness().map_or(Ok(()), |_| Err(SceneError::NeedsRigidGround { what }))
     }
 
-    /// Whether the beam has one bending stiffness and no joints.
+    /// Checks that the beam has a uniform bending stiffness and no joints.
     ///
     /// # Errors
     ///
-    /// [`SceneError::NotKnown`] if not, naming what asked for it.
+    /// [`SceneError::NotKnown`] otherwise, with the name of the computation.
     pub fn is_uniform(&self, what: &'static str) -> Result<(), SceneError> {
         let feature = match (self.beam.changes().next(), self.beam.joints()) {
             (Some(_), _) => "a bending stiffness in steps",
@@ -26,12 +26,12 @@ impl Scene {
         Err(SceneError::NotKnown { what, feature })
     }
 
-    /// Whether all moments of the beam follow from forces that are given: there is no hinge, no axial force and no support that gives, and on
-    /// ground that gives there are neither steps of the bending stiffness nor joints.
+    /// Checks that all moments of the beam follow from given forces. This requires that there is no hinge, no axial force and no
+    /// elastic support. On an elastic foundation the bending stiffness must also be uniform, without joints.
     ///
     /// # Errors
     ///
-    /// [`SceneError::NotKnown`] if not, naming what asked for it.
+    /// [`SceneError::NotKnown`] otherwise, with the name of the computation.
     pub(crate) fn bends_under_forces(&self, what: &'static str) -> Result<(), SceneError> {
         if self.ground_stiffness().is_some() {
             self.is_uniform(what)?;
@@ -42,20 +42,20 @@ impl Scene {
         self.is_firm(what)
     }
 
-    /// Whether no axial force acts on the beam.
+    /// Checks that no axial force acts on the beam.
     ///
     /// # Errors
     ///
-    /// [`SceneError::NotKnown`] if one does, naming what asked for it.
+    /// [`SceneError::NotKnown`] otherwise, with the name of the computation.
     pub fn has_no_tension(&self, what: &'static str) -> Result<(), SceneError> {
         if self.beam.tension() == 0.0 { Ok(()) } else { Err(SceneError::NotKnown { what, feature: "an axial force" }) }
     }
 
-    /// Whether no support of the beam gives.
+    /// Checks that the beam has no elastic support.
     ///
     /// # Errors
     ///
-    /// [`SceneError::NotKnown`] if one does, naming what asked for it.
+    /// [`SceneError::NotKnown`] otherwise, with the name of the computation.
     pub fn is_firm(&self, what: &'static str) -> Result<(), SceneError> {
         let turns = self.beam.supports().iter().any(|support| support.turning_stiffness.is_some());
         if turns || !self.beam.springs().is_empty() {
@@ -64,12 +64,13 @@ impl Scene {
         Ok(())
     }
 
-    /// Whether contact forces at nodes, without the lengths over which they act, determine the position of the beam: not if supports do
-    /// not hold it, on ground that gives way below each force by an amount that depends on that length.
+    /// Checks that contact forces at nodes determine the position of the beam although the lengths over which they act are
+    /// unknown. They do not if the supports do not hold the beam and the foundation is elastic: its settlement below each force
+    /// depends on that length.
     ///
     /// # Errors
     ///
-    /// [`SceneError::NeedsRigidGround`] if not.
+    /// [`SceneError::NeedsRigidGround`] otherwise.
     pub(crate) fn is_placed_by_forces(&self) -> Result<(), SceneError> {
         if self.beam.is_held() {
             Ok(())

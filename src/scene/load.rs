@@ -1,8 +1,8 @@
-//! Loads: uniform, linear over a part of the beam, and point loads, all positive downwards; couples, positive where they turn like a
-//! positive slope. All are added up.
+//! Loads: uniform, linear over a part of the beam, and point loads, all positive downwards; couples, positive if they rotate in
+//! the direction of a positive slope. The loads are added up.
 //!
-//! Who computes with loads reads [`Load::spread`] and [`Load::concentrated`], of which the latter is taken apart by its fields: a new one
-//! is an error of the compiler wherever it has been forgotten.
+//! Computations read the loads through [`Load::spread`] and [`Load::concentrated`]. Every caller destructures [`Concentrated`]
+//! with all its fields, so that a new field is a compiler error wherever it has been forgotten.
 
 use super::Beam;
 use super::error::{SceneError, finite, on_beam};
@@ -12,9 +12,9 @@ use super::quantity::Quantity;
 /// A load that varies linearly over a part of the beam (a trapezoid).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LinearLoad {
-    /// Where it starts \[length\].
+    /// Start of the load \[length\].
     pub from: f64,
-    /// Where it ends \[length\].
+    /// End of the load \[length\].
     pub to: f64,
     /// Intensity at `from` \[force / length\].
     pub start: f64,
@@ -34,34 +34,34 @@ impl LinearLoad {
 /// A concentrated force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PointLoad {
-    /// Where it acts \[length\].
+    /// Position \[length\].
     pub at: f64,
-    /// Positive downwards \[force\].
+    /// Force, positive downwards \[force\].
     pub force: f64,
 }
 
-/// A couple, a moment that acts from outside.
+/// A couple: a concentrated moment as a load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CoupleLoad {
-    /// Where it acts \[length\].
+    /// Position \[length\].
     pub at: f64,
-    /// Positive where it turns like a positive slope of the deflection; the bending moment grows by it from left to right
-    /// \[force · length\].
+    /// Moment, positive if it rotates in the direction of a positive slope of the deflection. The bending moment increases by it
+    /// from left to right \[force · length\].
     pub moment: f64,
 }
 
-/// What acts at one place.
+/// A concentrated action at one position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Concentrated {
-    /// Where \[length\].
+    /// Position \[length\].
     pub(crate) at: f64,
-    /// A force, positive downwards: the shear force falls by it \[force\].
+    /// A force, positive downwards; the shear force decreases by it \[force\].
     pub(crate) force: f64,
-    /// A couple: the bending moment grows by it \[force · length\].
+    /// A couple; the bending moment increases by it \[force · length\].
     pub(crate) couple: f64,
 }
 
-/// All loads of a scene: `q(x)` of the paper, with point loads and couples besides.
+/// All loads of a scene: `q(x)` of the paper, together with point loads and couples.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Load {
     uniform: f64,
@@ -99,7 +99,7 @@ impl Load {
     ///
     /// # Errors
     ///
-    /// A number that is not finite, a couple that is not on the beam, or loads whose sum overflows.
+    /// A number that is not finite, a couple outside the beam, or loads whose sum overflows.
     pub fn with_couples(self, beam: &Beam, couple: Vec<CoupleLoad>) -> Result<Self, SceneError> {
         for (i, load) in couple.iter().enumerate() {
             on_beam(Quantity::CoupleAt(i), load.at, beam.length())?;
@@ -113,7 +113,7 @@ impl Load {
         Self::new(beam, self.uniform, self.linear, self.point)?.with_couples(beam, self.couple)
     }
 
-    /// Refuses loads whose sum is not finite.
+    /// Rejects loads whose sum is not finite.
     fn finite(self, beam: &Beam) -> Result<Self, SceneError> {
         let value = self.magnitude(beam.length());
         if value.is_finite() {
@@ -127,7 +127,7 @@ impl Load {
     ///
     /// # Errors
     ///
-    /// As [`Load::new`].
+    /// Those of [`Load::new`].
     pub fn uniform_on(beam: &Beam, intensity: f64) -> Result<Self, SceneError> {
         Self::new(beam, intensity, Vec::new(), Vec::new())
     }
@@ -156,27 +156,27 @@ impl Load {
         &self.couple
     }
 
-    /// All that is spread over a part of a beam of this length, the uniform part first.
+    /// All distributed loads on a beam of this length, the uniform load first.
     pub(crate) fn spread(&self, length: f64) -> impl Iterator<Item = LinearLoad> + '_ {
         let uniform = LinearLoad { from: 0.0, to: length, start: self.uniform, end: self.uniform };
         std::iter::once(uniform).chain(self.linear.iter().copied())
     }
 
-    /// All that acts at single places, forces first.
+    /// All concentrated loads, forces first.
     pub(crate) fn concentrated(&self) -> impl Iterator<Item = Concentrated> + Clone + '_ {
         let forces = self.point.iter().map(|&PointLoad { at, force }| Concentrated { at, force, couple: 0.0 });
         let couple = |&CoupleLoad { at, moment }: &CoupleLoad| Concentrated { at, force: 0.0, couple: moment };
         forces.chain(self.couple.iter().map(couple))
     }
 
-    /// Places strictly inside a beam of this length where the load begins, ends or acts, in any order.
+    /// The positions strictly inside a beam of this length at which a load begins, ends or acts, in any order.
     pub(crate) fn places(&self, length: f64) -> impl Iterator<Item = f64> + '_ {
         let ends = self.linear.iter().flat_map(|part| [part.from, part.to]);
         ends.chain(self.concentrated().map(|acts| acts.at)).filter(move |x| 0.0 < *x && *x < length)
     }
 
-    /// Sum of the magnitudes of all parts, `|q₀| l + Σ (|start| + |end|)/2 (to − from) + Σ |force| + Σ |couple|/l` \[force\]:
-    /// the scale of forces, not a resultant.
+    /// Sum of the magnitudes of all parts, `|q₀| l + Σ (|start| + |end|)/2 (to − from) + Σ |force| + Σ |couple|/l` \[force\]. It
+    /// is a scale for forces and not a resultant.
     #[must_use]
     pub fn magnitude(&self, length: f64) -> f64 {
         let linear: f64 = self.linear.iter().map(|q| 0.5 * (q.start.abs() + q.end.abs()) * (q.to - q.from)).sum();
@@ -193,14 +193,14 @@ impl Load {
         self.uniform * length + linear + point
     }
 
-    /// The same loads without the point loads at some places.
+    /// The same loads without the point loads at the positions for which `stands` is true.
     pub(crate) fn without(&self, stands: impl Fn(f64) -> bool) -> Self {
         let point = self.point.iter().filter(|p| !stands(p.at)).copied().collect();
         Self { point, ..self.clone() }
     }
 
-    /// The same loads in units of `length` and `force`, both powers of two, so that nothing is rounded but places that are at
-    /// the left end of the beam, see [`pieces::place`].
+    /// The same loads in units of `length` and `force`, both powers of two. Nothing is rounded except positions next to the left
+    /// end of the beam, see [`pieces::place`].
     pub(super) fn scaled(&self, length: f64, force: f64) -> Self {
         let density = |q: f64| q / force * length;
         let place = |x: f64| pieces::place(x / length);
@@ -213,7 +213,7 @@ impl Load {
             if part.from < part.to {
                 linear.push(part);
             } else {
-                // All of it is at the support.
+                // The load acts entirely at the support.
                 let force = (0.5 * part.start + 0.5 * part.end) * ((q.to - q.from) / length);
                 point.push(PointLoad { at: part.to, force });
             }

@@ -1,6 +1,6 @@
-//! What is given: beam, supports, load, foundation. The numbers of a [`Scene`] are checked when it is made. Whether it has a
-//! solution also depends on loads and ground where supports leave the beam free to move: [`Scene::scaled`] finds its [`Balance`],
-//! or refuses it.
+//! The model: beam, supports, loads and foundation. The numbers of a [`Scene`] are checked when it is created. If the supports
+//! leave the beam free to move, whether a solution exists also depends on the loads and the foundation. [`Scene::scaled`] then
+//! determines the [`Balance`] or returns an error.
 
 pub(crate) mod axial;
 mod balance;
@@ -45,22 +45,22 @@ pub use stiffness::Joint;
 pub use support::{Bearing, Held, Spring, Support};
 pub(crate) use written::shown;
 
-/// A beam, its loads and the foundation below it, if there is one.
+/// A beam with its loads and, if there is one, the foundation below it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
     title: String,
     beam: Beam,
     load: Load,
-    /// Shared by all that is made of the scene: a survey may have millions of points.
+    /// Shared by all data derived from the scene, because a survey may have millions of points.
     foundation: Option<Arc<Foundation>>,
-    /// Of ground that gives; rigid without.
+    /// Stiffness of an elastic foundation; [`None`] for a rigid one.
     stiffness: Option<GroundStiffness>,
     units: Units,
-    /// Point loads beyond the beam by their index; in `load` each is a force of zero.
+    /// Point loads beyond the beam, each with its index. `load` contains a zero force in place of each of them.
     beyond: Vec<(usize, PointLoad)>,
 }
 
-/// Labels for numbers that a person reads; never used in arithmetic.
+/// Labels of the units for human readers; never used in arithmetic.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Units {
     /// Label of the unit of length, for example `m`.
@@ -70,7 +70,7 @@ pub struct Units {
 }
 
 impl Scene {
-    /// A scene. `load` and `foundation` are checked for `beam` again, since they may have been made for another one.
+    /// Creates a scene. `load` and `foundation` are checked again for `beam`, since they may have been created for another beam.
     ///
     /// # Errors
     ///
@@ -79,12 +79,12 @@ impl Scene {
         Self::above(beam, load, foundation, None)
     }
 
-    /// The same above a foundation of a stiffness `k` \[force / length²\], rigid without. Supports may stand in an elastic foundation:
-    /// nothing forbids the beam to be pressed into it there.
+    /// Creates a scene above a foundation of stiffness `k` \[force / length²\]; without `stiffness` the foundation is rigid.
+    /// Supports may be located inside an elastic foundation, because the beam can be pressed into it there.
     ///
     /// # Errors
     ///
-    /// Those of [`new`](Self::new), and of [`on_springs`](Self::on_springs).
+    /// Those of [`new`](Self::new) and [`on_springs`](Self::on_springs).
     pub fn above(
         beam: Beam,
         load: Load,
@@ -118,7 +118,8 @@ impl Scene {
         })
     }
 
-    /// The same scene on supports that hold in the places of those that only push and are `pressed`, without the others.
+    /// The same scene in which each rigid compression-only support that is `pressed` becomes a bilateral support. The other rigid
+    /// compression-only supports are removed.
     ///
     /// # Errors
     ///
@@ -131,13 +132,13 @@ impl Scene {
         Ok(Self { beam, ..self.clone() })
     }
 
-    /// The same scene with a title and with labels for its units.
+    /// The same scene with a title and unit labels.
     #[must_use]
     pub fn labelled(self, title: impl Into<String>, units: Units) -> Self {
         Self { title: title.into(), units, ..self }
     }
 
-    /// The title, empty if the scene has none.
+    /// The title; empty if the scene has none.
     #[must_use]
     pub fn title(&self) -> &str {
         &self.title
@@ -155,18 +156,18 @@ impl Scene {
         &self.load
     }
 
-    /// The loads that bend the beam: without those that stand on supports that hold it.
+    /// The loads that bend the beam: all loads except those directly above a support that carries them.
     pub(crate) fn bending_load(&self) -> Load {
         self.load.without(|at| self.beam.carries(at))
     }
 
-    /// What stands on a support that holds the beam at this place \[force\].
+    /// The sum of the point loads directly above a support at this position, if the support carries them \[force\].
     pub(crate) fn standing_on(&self, at: f64) -> f64 {
         let here = self.load.point().iter().filter(|load| load.at <= at && at <= load.at && self.beam.carries(at));
         here.map(|load| load.force).sum()
     }
 
-    /// Depths of the foundation, and of the own shape, that are so far from all others that they may be no depths at all.
+    /// Depths of the foundation and of the initial shape that are so far from all others that they may mark missing data.
     #[must_use]
     pub fn far_depths(&self) -> Vec<FarDepths> {
         let profiles = [(Profile::Foundation, self.foundation()), (Profile::Shape, self.beam.shape())];
@@ -179,32 +180,32 @@ impl Scene {
         self.foundation.as_deref()
     }
 
-    /// The same, to be kept.
+    /// The foundation as a shared pointer.
     pub(crate) fn shared_foundation(&self) -> Option<Arc<Foundation>> {
         self.foundation.clone()
     }
 
-    /// The labels of the units.
+    /// The unit labels.
     #[must_use]
     pub fn units(&self) -> &Units {
         &self.units
     }
 
-    /// Depth `u(x)` of the foundation \[length\]; infinite where there is none.
+    /// The depth `u(x)` of the foundation \[length\]; infinite without a foundation.
     #[must_use]
     pub fn depth(&self, x: f64) -> f64 {
         self.foundation.as_ref().map_or(f64::INFINITY, |f| f.depth(x))
     }
 
-    /// True if there is something that the beam may touch: ground, or a support that only pushes.
+    /// True if there is an obstacle that the beam may touch: a foundation or a compression-only support.
     #[must_use]
     pub fn has_obstacle(&self) -> bool {
         self.foundation.is_some() || !self.beam.bearings().is_empty() || self.stops().next().is_some()
     }
 
-    /// `g(x) = u − w0`, the gap below the beam as long as nothing acts on it, from which (6) takes the clearance `h = g − v`
-    /// \[length\]; above a support that only pushes the play there, and infinite where there is nothing. Of a straight beam it is the
-    /// depth of the foundation.
+    /// `g(x) = u − w0`, the gap below the unloaded beam \[length\]. Equation (6) subtracts the deflection from it: the clearance
+    /// is `h = g − v`. Above a compression-only support the gap is the initial clearance there. It is infinite where there is no
+    /// obstacle. For a straight beam it is the depth of the foundation.
     #[must_use]
     pub fn gap(&self, x: f64) -> f64 {
         let mut gap = [0.0];
@@ -212,7 +213,7 @@ impl Scene {
         gap[0]
     }
 
-    /// The same at ascending places; `gaps` is as long as `places`.
+    /// Writes the gaps at positions in ascending order; `gaps` and `places` have the same length.
     pub fn gaps(&self, places: &[f64], gaps: &mut [f64]) {
         match &self.foundation {
             Some(foundation) => foundation.depths(places, gaps),
@@ -239,19 +240,19 @@ impl Scene {
         }
     }
 
-    /// By how much the slope of a chord of `g` grows at `x`, as [`Foundation::bend`] has it; zero without a foundation.
+    /// The change of the chord slope of `g` at `x`, as defined by [`Foundation::bend`]; zero without a foundation.
     #[must_use]
     pub fn bend(&self, x: f64, a: f64, b: f64, ends: [f64; 2]) -> f64 {
         let bend = self.foundation.as_ref().map_or(0.0, |f| f.bend(x, a, b, ends));
         self.beam.shape().map_or(bend, |shape| bend - shape.bend(x, a, b, ends))
     }
 
-    /// This scene in other units; `stiffness` is the unit of `EI`, that is `F L³ / U`.
+    /// This scene in other units; `stiffness` is the unit of `EI`, which is `F L³ / U`.
     fn in_units(&self, scale: &Scale, stiffness: f64) -> Result<Self, SceneError> {
         let beam = self.beam.scaled(scale, stiffness)?;
         let load = self.load.scaled(scale.length, scale.force);
         let foundation = self.foundation.as_ref().map(|f| f.scaled(scale.length, scale.depth));
-        // `F/L U = E/L⁴` is its unit, divided in an order that keeps every step in range.
+        // The unit is `F/L U = E/L⁴`, divided in an order that keeps every step in range.
         let spring = |k: f64| k * scale.length * scale.length / stiffness * scale.length * scale.length;
         let springs = self.stiffness.as_ref().map(|given| given.scaled(scale.length, spring));
         if let Some(value) = springs.as_ref().map(|springs| springs.greatest).filter(|k| !k.is_normal()) {

@@ -1,23 +1,23 @@
-//! A number of a scene by its path, as a scene file would write it: what it is, and the same scene with another value.
+//! The numbers of a scene by their path in a scene file: reading one, and the same scene with another value.
 
 use super::ground::GroundStiffness;
 use super::quantity::{Profile, ProfileKey, Quantity};
 use super::{Beam, CoupleLoad, Foundation, Joint, LinearLoad, Load, PointLoad, Scene, SceneError, Support};
 
-/// A path that leads to no number of the scene that can be varied.
+/// The reason why a path does not lead to a number that can be varied.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum PathError {
-    /// There is no such number.
+    /// The scene has no number with this path.
     #[error("the scene has no number `{path}`; {} {}", it_has(near.as_deref()), in_backticks(known))]
     Unknown {
         /// The path.
         path: String,
-        /// A path that there is and that reads nearly the same.
+        /// An existing path with a similar spelling.
         near: Option<String>,
-        /// The paths that there are; `[0…3]` stands for each of these indices.
+        /// The existing paths; `[0…3]` stands for each of these indices.
         known: Vec<String>,
     },
-    /// The length of the beam.
+    /// The length of the beam, which cannot be varied.
     #[error(
         "`beam.length` cannot be varied: places of loads, supports and ground are measured along the beam, and it is not said \
          which of them would move with its end"
@@ -34,12 +34,13 @@ fn in_backticks(paths: &[String]) -> String {
 }
 
 impl Scene {
-    /// The number that a path stands for. The place and the depth of a point of a polyline may be written `[0]` and `[1]`, as in
-    /// the file, or `.x` and `.depth`. Supports that are left out in the file are there, at both ends, and so are a load and an axial force of zero.
+    /// The number that a path stands for. The position and the depth of a point of a polyline may be written `[0]` and `[1]`, as
+    /// in the file, or `.x` and `.depth`. The path may name the default supports at both ends and a zero uniform load or axial
+    /// force even if the file omits them.
     ///
     /// # Errors
     ///
-    /// A [`PathError`] that lists what can be varied.
+    /// A [`PathError`] that lists the numbers that can be varied.
     pub fn quantity(&self, path: &str) -> Result<Quantity, PathError> {
         if path == Quantity::Length.to_string() {
             return Err(PathError::Length);
@@ -64,7 +65,7 @@ impl Scene {
         Numbers::of(self).at(quantity).copied()
     }
 
-    /// The same scene with another value of a number, checked again. A scene that does not have the number stays as it is.
+    /// The same scene with another value of a number, checked again. If the scene does not have the number, nothing changes.
     ///
     /// # Errors
     ///
@@ -73,7 +74,7 @@ impl Scene {
         self.with_numbers([(quantity, value)])
     }
 
-    /// The same for several numbers at once: what is between the first and the last of them need not be a scene.
+    /// The same scene with several numbers changed at once. Intermediate states need not be valid scenes.
     ///
     /// # Errors
     ///
@@ -103,11 +104,11 @@ impl Scene {
         Ok(Self::built(beam, load, foundation, springs)?.labelled(self.title.clone(), self.units.clone()))
     }
 
-    /// The same scene with all of its ground moved downwards \[length\].
+    /// The same scene with the whole foundation moved downwards by `down` \[length\].
     ///
     /// # Errors
     ///
-    /// Every [`SceneError`] of [`Foundation::checked`], above all that it lies above a support.
+    /// Every [`SceneError`] of [`Foundation::checked`], above all a foundation above a support.
     pub fn with_ground_moved(&self, down: f64) -> Result<Self, SceneError> {
         let mut foundation = self.foundation().cloned();
         match &mut foundation {
@@ -158,9 +159,9 @@ impl Scene {
     }
 }
 
-/// The path that reads most like `path`: it ends in it, or at most two fifths of its letters are others.
+/// The path most similar to `path`: it ends with `path`, or at most two fifths of its letters differ.
 fn nearest(path: &str, groups: &[Group]) -> Option<String> {
-    /// Letters of the longest path that is compared, and paths of each group.
+    /// Limit for the letters of a path that is compared, and for the paths of each group.
     const MOST: usize = 100;
     if MOST < path.len() {
         return None;
@@ -174,7 +175,7 @@ fn nearest(path: &str, groups: &[Group]) -> Option<String> {
     rated.min_by_key(|(changes, _)| *changes).map(|(_, known)| known)
 }
 
-/// The least number of letters to insert, remove or replace that makes one word of another.
+/// The smallest number of letters to insert, remove or replace to change one word into the other (edit distance).
 fn changes(from: &str, to: &str) -> usize {
     let mut row: Vec<usize> = (0..=to.chars().count()).collect();
     for (i, a) in from.chars().enumerate() {
@@ -211,14 +212,14 @@ fn groups_of(of: Profile, profile: &Foundation) -> Vec<Group> {
     }
 }
 
-/// Numbers that differ in an index only.
+/// Numbers that differ only in an index.
 #[derive(Debug, Clone, Copy)]
 struct Group {
     of: Make,
     count: usize,
 }
 
-/// A quantity of an index.
+/// A quantity, or a function that returns the quantity with an index.
 #[derive(Debug, Clone, Copy)]
 enum Make {
     One(Quantity),
@@ -243,7 +244,7 @@ impl Group {
         })
     }
 
-    /// What a message calls them; [`None`] if there are none.
+    /// The common path of the group in messages; [`None`] if the group is empty.
     fn path(&self) -> Option<String> {
         let first = self.all().next()?.to_string();
         match self.count {
@@ -253,13 +254,13 @@ impl Group {
     }
 }
 
-/// The numbers of a scene, to be changed.
+/// The numbers of a scene as an editable copy.
 struct Numbers {
     stiffness: f64,
     steps: Vec<[f64; 2]>,
     joints: Vec<Joint>,
     tension: f64,
-    /// In the order in which they were given, which is what indices count.
+    /// In the order in which they were given, to which the indices refer.
     supports: Vec<Support>,
     shape: Option<Foundation>,
     uniform: f64,
@@ -362,7 +363,7 @@ mod tests {
         }
     }
 
-    /// Of twenty letters eight may be others, and not nine.
+    /// Of twenty letters eight may differ, but not nine.
     #[test]
     fn a_path_with_two_fifths_of_its_letters_wrong_is_understood() {
         let scene = scene().on_springs(3.0).expect("ground");
@@ -371,7 +372,7 @@ mod tests {
         assert!(!told("foundation.xxxxxxxxx").contains("did you mean"));
     }
 
-    /// Indices of supports are those of the file, and stay so when one support moves past another.
+    /// The indices of supports are those of the file, also after one support moves past another.
     #[test]
     fn supports_are_counted_as_in_the_file() {
         let scene = scene();

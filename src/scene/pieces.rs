@@ -1,30 +1,33 @@
-//! What a scene is up to rounding, decided here and nowhere else, so that beam theory and certificate solve the same one.
+//! Decisions on rounding in a scene. They are made only here, so that beam theory and certificate solve the same problem.
 //!
-//! The numbers of a scene are decimals, and known no better than their rounding. Taken to the last bit, a point on a straight
-//! line would be a kink, the same depth computed twice a step, and a foundation that starts at a support a gap of `10⁻¹⁷`.
+//! The numbers of a scene are decimals and known only to their rounding. Taken to the last bit, a point on a straight line would
+//! be a kink, the same depth computed twice would be a step, and a foundation that begins at a support would have a gap of
+//! `10⁻¹⁷`.
 
 use super::Foundation;
 
-/// A depth at a support is zero but for rounding if it is at most this share of the numbers that add up to it there. With a
-/// depth of `−10⁻¹⁷` the scene would have no solution, with `10⁻¹⁷` the beam would lift off just beside the support.
+/// A depth at a support counts as zero if it is at most this fraction of the terms that add up to it there. With a depth of
+/// `−10⁻¹⁷` the scene would have no solution, and with `10⁻¹⁷` the beam would lift off just beside the support.
 pub(super) const LEVEL: f64 = 16.0 * f64::EPSILON;
 
-/// How far off the line a point may be, as a share of its depth and of what its neighbours add to that of the line there: the
-/// rounding of a decimal depth, twice, and that of the interpolation.
+/// The greatest distance of a point from a line, relative to its depth and to the two terms of the interpolation between its
+/// neighbours: twice the rounding of a decimal depth, and the rounding of the interpolation.
 const ON_THE_LINE: f64 = 8.0 * f64::EPSILON;
-/// Of the points between two that are kept, at most so many are compared anew with every longer line, and at least half as many.
+/// The greatest number of omitted points between two kept ones that are compared with each longer line. At least half as many are
+/// compared.
 const MOST_BETWEEN: usize = 64;
 
-/// A place of a load or a support on a dimensionless beam, the length of which is at least 1 and less than 2: numbers there are
-/// `ε/2` apart at the least but for those beside zero, which no length of a beam needs. A place nearer to the left end is at it.
+/// A position of a load or a support on a dimensionless beam with a length of at least 1 and less than 2. Numbers in this range
+/// are at least `ε/2` apart except near zero, where a beam does not need smaller distances. A position nearer to the left end is
+/// moved to it.
 pub(super) fn place(x: f64) -> f64 {
     if x < 0.5 * f64::EPSILON { 0.0 } else { x }
 }
 
 impl Foundation {
-    /// The numbers that add up to its depth at a place of a beam of this length, where they may be rounded: at `x = 0` a
-    /// polynomial is its first coefficient, however large the others. The depths of points and of a plane are given, and
-    /// nothing is added up.
+    /// The magnitude of the terms that add up to the depth at a position of a beam of this length, where they may be rounded. At
+    /// `x = 0` a polynomial is its first coefficient, however large the others are. The depths of points and of a flat foundation
+    /// are given, so that nothing is added up.
     pub(crate) fn rounded_size(&self, x: f64, length: f64) -> f64 {
         match self {
             Self::Flat { .. } => 0.0,
@@ -33,13 +36,14 @@ impl Foundation {
         }
     }
 
-    /// A depth at a support `x` that is no larger cannot be told from zero: the foundation starts at the level of the support.
+    /// The greatest depth relative to a support at `x` that cannot be distinguished from zero: the foundation begins at the level
+    /// of the support.
     pub(crate) fn level_within(&self, x: f64, length: f64) -> f64 {
         LEVEL * self.rounded_size(x, length)
     }
 
-    /// The same foundation, if it is a polyline that can do without some of its points. A beam that lies across a corner of the
-    /// size of rounding could not be told from one that hangs on it.
+    /// The same foundation with fewer points if it is a polyline with collinear points; otherwise [`None`]. A beam that passes
+    /// over a corner of the size of rounding could not be distinguished from a beam that touches it.
     pub(crate) fn without_collinear_points(&self) -> Option<Self> {
         let Self::Polyline { points } = self else { return None };
         let kept = without_collinear_points(points);
@@ -47,8 +51,8 @@ impl Foundation {
     }
 }
 
-/// A polyline without the points that make no corner: points that are off the line of their neighbours by rounding, points
-/// that are given twice, and steps of the size of rounding.
+/// A polyline without points that form no corner: points whose distance from the line through their neighbours is rounding,
+/// points given twice, and steps of the size of rounding.
 pub(crate) fn without_collinear_points(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let mut kept: Vec<[f64; 2]> = Vec::with_capacity(points.len());
     let mut between: Vec<[f64; 2]> = Vec::new();
@@ -74,11 +78,11 @@ pub(crate) fn without_collinear_points(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     kept
 }
 
-/// Whether `p`, at or between the places of `a` and `b`, is on the line from one to the other. Of three points at one place
-/// none is: there is no line.
+/// Whether `p`, at or between the positions of `a` and `b`, is on the line through them. Three points at one position define no
+/// line.
 fn lies_between(a: [f64; 2], p: [f64; 2], b: [f64; 2]) -> bool {
     let share = (p[0] - a[0]) / (b[0] - a[0]);
-    // Not by the difference of the two depths: beside the shallower point it would be the rounding of the deeper one.
+    // The difference of the two depths is not used: near the shallower point it would contain the rounding of the deeper one.
     let [from_a, from_b] = [a[1] * (1.0 - share), b[1] * share];
     (p[1] - (from_a + from_b)).abs() <= ON_THE_LINE * p[1].abs().max(from_a.abs()).max(from_b.abs())
 }
@@ -93,7 +97,8 @@ mod tests {
         assert_eq!(without_collinear_points(&points), points);
     }
 
-    /// Depths in tenths, which are not on a line in 64-bit numbers: what is written as a line is one, and its corners stay.
+    /// Depths in tenths, which are not collinear in 64-bit arithmetic. Points written on a line count as collinear, and corners
+    /// are kept.
     #[test]
     fn points_on_a_line_are_taken_out() {
         let tenth = |k: i32| f64::from(k) * 0.1;
@@ -104,13 +109,13 @@ mod tests {
         let mut roof = rising.clone();
         roof.extend((1..=30).map(|k| [tenth(30 + k), 10.0 - tenth(k)]));
         assert_eq!(without_collinear_points(&roof), [roof[0], roof[30], roof[60]]);
-        // Through depth zero, where only what is added up says how large rounding may be.
+        // Through depth zero, where only the terms of the sum limit the rounding.
         let through: Vec<[f64; 2]> = (0..=30).map(|k| [tenth(k), tenth(3 * k) - 4.2]).collect();
         assert_eq!(without_collinear_points(&through), [through[0], through[30]]);
     }
 
-    /// A point that is off by more than rounding is a corner, however near it is to one of its neighbours; and a foundation with
-    /// nothing to take out is left alone.
+    /// A point whose distance from the line exceeds rounding is a corner, however near it is to a neighbour. A foundation without
+    /// collinear points is not changed.
     #[test]
     fn corners_stay() {
         for (x, off) in [(1.0, 1e-14), (5.0, 2e-14), (9.0, -2e-14), (0.001, 1e-14), (9.999, -3e-14), (5.0, 1.0)] {
@@ -119,7 +124,7 @@ mod tests {
             let straight = [[0.0, 2.0], [x, 2.0 + 0.3 * x], [10.0, 5.0]];
             assert_eq!(without_collinear_points(&straight), [straight[0], straight[2]], "{x}");
         }
-        // Through zero depth, and from one that is nearly zero: a neighbour counts by its share.
+        // Through zero depth, and from a depth of nearly zero: a neighbour counts in proportion to its share.
         let steep = [[0.0, 1e-3], [1.0, 1.0 + 2e-15], [2.0, 2.0 - 1e-3]];
         let mirrored = [steep[2], steep[1], steep[0]].map(|[x, depth]| [2.0 - x, depth]);
         for points in [[[0.0, -1.0], [2.0, 2e-15], [4.0, 1.0]], steep, mirrored] {
@@ -127,7 +132,7 @@ mod tests {
         }
     }
 
-    /// Steps stay with both of their depths, also where the line goes on behind them; a point that is given twice goes.
+    /// Steps keep both depths, also if the line continues behind them. A point given twice is removed.
     #[test]
     fn steps_stay_and_doubles_go() {
         let step = [[0.0, 1.0], [2.0, 1.0], [2.0, 1.5], [4.0, 1.5]];
@@ -149,8 +154,8 @@ mod tests {
         assert_eq!(without_collinear_points(&at_the_ends), [[0.0, 1.0], [0.0, 2.0], [4.0, 2.0], [4.0, 1.0]]);
     }
 
-    /// A polygon of chords so short that each corner is of rounding size, and the arc is not: what is kept is nowhere off by more
-    /// than is said, so that corners of rounding size do not add up to one that counts.
+    /// A polygon with chords so short that each corner is of the size of rounding, although the arc is not. The simplified
+    /// polyline deviates nowhere by more than the tolerance, so that many small corners do not add up to a large error.
     #[test]
     fn what_is_taken_out_does_not_add_up() {
         let arc: Vec<[f64; 2]> = (0..=1000).map(f64::from).map(|x| [x, 1.0 + 1e-16 * x * (1000.0 - x)]).collect();
@@ -164,7 +169,7 @@ mod tests {
         }
     }
 
-    /// However many points a line has, it is one.
+    /// A line is simplified to its ends, however many points it has.
     #[test]
     fn long_lines_are_one() {
         let line: Vec<[f64; 2]> = (0..=2000).map(f64::from).map(|x| [x, 0.1 + 0.3 * x]).collect();

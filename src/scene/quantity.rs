@@ -1,16 +1,16 @@
-//! What a message about a scene calls its numbers: as in the scene file.
+//! The numbers of a scene by their names in the scene file, as messages print them.
 
 use std::fmt;
 
-/// A number of a scene, named as in the scene file. Indices count from 0, as in the file's arrays.
+/// A number of a scene, named as in the scene file. Indices count from 0, as in the arrays of the file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[expect(missing_docs, reason = "each variant is the key of the scene file that Display prints")]
 pub enum Quantity {
     Length,
     BendingStiffness,
-    /// Where a step of the bending stiffness begins.
+    /// Position of a step of the bending stiffness.
     StepAt(usize),
-    /// The bending stiffness from there on.
+    /// The bending stiffness that begins at the step.
     StepStiffness(usize),
     JointAt(usize),
     JointStiffness(usize),
@@ -35,15 +35,15 @@ pub enum Quantity {
     /// A number of a profile.
     Profile(Profile, ProfileKey),
     GroundStiffness,
-    /// Where a step of the stiffness of the ground begins.
+    /// Position of a step of the foundation stiffness.
     GroundStepAt(usize),
-    /// The stiffness of the ground from there on.
+    /// The foundation stiffness that begins at the step.
     GroundStepStiffness(usize),
     /// All loads together.
     TotalLoad,
 }
 
-/// A depth as a function of the place: that of the ground, or that of the axis of the unloaded beam.
+/// A depth as a function of position: of the foundation, or of the axis of the unloaded beam.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Profile {
     /// `u(x)`, the key `foundation` of the scene file.
@@ -53,7 +53,7 @@ pub enum Profile {
 }
 
 impl Profile {
-    /// Its table in the scene file.
+    /// The table in the scene file.
     #[must_use]
     pub(crate) fn path(self) -> &'static str {
         match self {
@@ -64,7 +64,7 @@ impl Profile {
 }
 
 impl fmt::Display for Profile {
-    /// What a sentence calls it.
+    /// The name in a sentence.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Foundation => "a foundation",
@@ -83,7 +83,7 @@ pub enum ProfileKey {
     Amplitude,
     Wavelength,
     Phase,
-    /// Place of a point of the polyline, `points[i][0]`.
+    /// Position of a point of the polyline, `points[i][0]`.
     PolylineX(usize),
     /// Depth of a point of the polyline, `points[i][1]`.
     PolylineDepth(usize),
@@ -91,29 +91,29 @@ pub enum ProfileKey {
     Whole,
 }
 
-/// What a number is measured in: numbers of one kind can be changed by the same amount.
+/// The physical dimension of a number. Numbers of the same kind can be changed by the same amount.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
-    /// A place, a depth or a level.
+    /// A position, a depth or a level.
     Length,
     /// A force.
     Force,
     /// A force times a length.
     Moment,
-    /// A force per length: a load that is spread, or the stiffness of a support.
+    /// A force per length: a distributed load, or the stiffness of a support.
     Intensity,
     /// A slope, or an angle in radians.
     Angle,
     /// A force times the square of a length.
     BendingStiffness,
-    /// A force per length for each length of penetration.
+    /// A force per length of beam and per length of penetration.
     GroundStiffness,
-    /// A length over so many lengths.
+    /// A length divided by this power of a length: a coefficient of a polynomial.
     Coefficient(usize),
 }
 
 impl Quantity {
-    /// What it is measured in; [`None`] for what is not one number.
+    /// The dimension of the quantity; [`None`] if it is not a single number.
     #[must_use]
     pub fn kind(self) -> Option<Kind> {
         Some(match self {

@@ -1,12 +1,12 @@
-//! Dimensionless numbers: every method, theory and the certificate begin with [`Scene::scaled`].
+//! Conversion of a scene to dimensionless numbers: every method, beam theory and the certificate begin with [`Scene::scaled`].
 //!
-//! With units `L` of length, `F` of force and `U = F L³ / E` of depth, the scene `x/L, u/U, q L/F, EI/E` has the same
-//! equations (5), (7), (8) as the original. All units are powers of two, so scaling and undoing it only change
-//! exponents: answers are the same bits in metres and in 1024ths of a metre.
+//! With the units `L` of length, `F` of force and `U = F L³ / E` of depth, the scene `x/L, u/U, q L/F, EI/E` satisfies the same
+//! equations (5), (7), (8) as the original. All units are powers of two, so that scaling changes only exponents. Results are
+//! bitwise equal in metres and in 1024ths of a metre.
 
 use super::{Balance, Quantity, Scene, SceneError};
 
-/// Units in which a scene is dimensionless: powers of two.
+/// The units in which a scene is dimensionless: powers of two.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scale {
     /// Unit along the beam, `L`.
@@ -34,29 +34,30 @@ impl Scale {
 /// A scene in dimensionless numbers, with its units.
 #[derive(Debug, Clone)]
 pub struct Scaled {
-    /// The dimensionless scene: `1 ≤ l < 2`, `1 ≤ EI < 2`, loads of order 1 (where there are any).
+    /// The dimensionless scene: `1 ≤ l < 2`, `1 ≤ EI < 2` (the smallest value), loads of order 1 if there are any.
     pub scene: Scene,
-    /// Its units.
+    /// The units of the scene.
     pub scale: Scale,
-    /// Which motion its supports leave free, and what balances the loads then; dimensionless.
+    /// The motions that the supports leave free, and the resultant that balances them; dimensionless.
     pub balance: Balance,
 }
 
 impl Scene {
     /// This scene in dimensionless numbers.
     ///
-    /// `L` and `E` are the powers of two at or below `l` and `EI`. `F` is that of the loads; a beam without loads takes
-    /// the force that bends it by the largest of what is given across it: depth of the foundation, levels of supports, own
-    /// shape.
+    /// `L` and `E` are the powers of two at or below `l` and `EI`, and `F` is the power of two at or below the magnitude of the
+    /// loads. For a beam without loads, `U` is the power of two at or below the largest given depth or level (foundation,
+    /// supports, initial shape), and `F` follows from it.
     ///
     /// # Errors
     ///
-    /// [`SceneError::Overflow`] if one of the units, or a number measured in them, leaves the range of `f64`, and
-    /// [`SceneError::Unheld`] if nothing balances the loads: such a scene has no answer by any method.
+    /// [`SceneError::Overflow`] if one of the units, or a number measured in them, is outside the range of `f64`.
+    /// [`SceneError::Unstable`] if the beam buckles under its compression. [`SceneError::Unheld`] if nothing balances the loads:
+    /// such a scene has no solution by any method.
     pub fn scaled(&self) -> Result<Scaled, SceneError> {
         let length = power_of_two(self.beam().length());
         let stiffness = power_of_two(self.beam().bending_stiffness());
-        // The quotient in an order that keeps every step in range as long as the result is.
+        // The order of the operations keeps every step in range as long as the result is.
         let bend = |force: f64| force * length / stiffness * length * length;
         let load = self.load().magnitude(self.beam().length());
         let depth = self.foundation().map_or(0.0, |f| f.magnitude(self.beam().length()));
@@ -94,9 +95,9 @@ impl Scene {
     }
 }
 
-/// The power of two at or below a positive number; for subnormal numbers the least normal one.
+/// The power of two at or below a positive number; the smallest normal number for subnormal ones.
 fn power_of_two(value: f64) -> f64 {
-    /// The bits of the exponent of a number of 64 bits.
+    /// The exponent bits of a 64-bit floating-point number.
     const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
     f64::from_bits(value.max(f64::MIN_POSITIVE).to_bits() & EXPONENT)
 }

@@ -1,4 +1,4 @@
-//! How stiff a beam is along its length: bending stiffness in steps, and joints in which it turns.
+//! The stiffness of a beam along its length: bending stiffness in steps, and joints.
 //!
 //! ```text
 //! EI(x) = EI_i           from x_i on                      M = −EI v'' is continuous, v'' is not
@@ -10,21 +10,21 @@ use super::quantity::Quantity;
 use super::support::LEAST_DISTANCE;
 use super::{Beam, Load, Support};
 
-/// A place where the beam turns.
+/// A joint: a position at which the slope of the beam may jump.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Joint {
-    /// Where \[length\].
+    /// Position \[length\].
     pub at: f64,
-    /// How stiff it is against turning, `k_j = −M/[v']`; [`None`] for a hinge \[force · length\].
+    /// Rotational stiffness `k_j = −M/[v']` \[force · length\]; [`None`] for a hinge.
     pub stiffness: Option<f64>,
 }
 
-/// A place that is not where it could be.
+/// The error for a position that is not allowed.
 fn misplaced<T>(quantity: Quantity, value: f64, expected: &'static str) -> Result<T, SceneError> {
     Err(SceneError::Misplaced { quantity, value, expected })
 }
 
-/// Steps begin at 0, go forwards and begin before the end of the beam.
+/// Checks that the steps begin at 0, are in ascending order and begin before the end of the beam.
 pub(super) fn check_places(
     steps: &[[f64; 2]],
     length: f64,
@@ -51,7 +51,7 @@ pub(super) fn check_places(
 }
 
 impl Load {
-    /// A couple at a joint acts on one side of it or on the other, and which is not said.
+    /// Returns an error for a couple at a joint: it would be unclear on which side of the joint the couple acts.
     pub(super) fn check_at_joints(&self, beam: &Beam) -> Result<(), SceneError> {
         let least = LEAST_DISTANCE * beam.length();
         for (i, couple) in self.couple().iter().enumerate() {
@@ -64,11 +64,12 @@ impl Load {
 }
 
 impl Beam {
-    /// The same beam with another bending stiffness from each place on: `(x_i, EI_i)` \[length, force · length²\].
+    /// The same beam with a bending stiffness that varies in steps, `(x_i, EI_i)` \[length, force · length²\].
     ///
     /// # Errors
     ///
-    /// No steps, steps that do not begin at 0, that go back or begin at the end of the beam, and a stiffness that is not positive.
+    /// No steps, a first step that does not begin at 0, steps that are not in ascending order or begin at the end of the beam,
+    /// and a stiffness that is not positive.
     pub fn with_steps(self, steps: Vec<[f64; 2]>) -> Result<Self, SceneError> {
         check_places(&steps, self.length(), Quantity::BendingStiffness, Quantity::StepAt)?;
         for (i, &[_, value]) in steps.iter().enumerate() {
@@ -84,7 +85,8 @@ impl Beam {
     ///
     /// # Errors
     ///
-    /// A joint at an end of the beam or beyond, at another one, or where the beam is built in, and a stiffness that is not positive.
+    /// A joint at an end of the beam or beyond it, at another joint, or at a support that restrains rotation, and a stiffness
+    /// that is not positive.
     pub fn with_joints(self, joints: Vec<Joint>) -> Result<Self, SceneError> {
         let least = LEAST_DISTANCE * self.length();
         for (i, joint) in joints.iter().enumerate() {
@@ -103,7 +105,7 @@ impl Beam {
         Ok(self.joined(joints)).and_then(Self::with_free_joints)
     }
 
-    /// A support that holds the slope holds one, and so does not stand at a joint.
+    /// Returns an error if a joint is at a support that restrains rotation: the slope is not unique there.
     pub(super) fn with_free_joints(self) -> Result<Self, SceneError> {
         let least = LEAST_DISTANCE * self.length();
         for (i, joint) in self.joints().iter().enumerate() {
@@ -115,27 +117,27 @@ impl Beam {
         Ok(self)
     }
 
-    /// Whether one of its joints is a hinge.
+    /// Whether one of the joints is a hinge.
     pub(super) fn is_hinged(&self) -> bool {
         self.joints().iter().any(|joint| joint.stiffness.is_none())
     }
 
-    /// `EI` between two places with no step between them \[force · length²\].
+    /// `EI` between two positions with no step between them \[force · length²\].
     pub(crate) fn stiffness_between(&self, from: f64, to: f64) -> f64 {
         let middle = 0.5 * (from + to);
         let next = self.steps().partition_point(|step| step[0] <= middle);
         next.checked_sub(1).map_or(self.bending_stiffness(), |i| self.steps()[i][1])
     }
 
-    /// Whether hinges leave it free to move without bending, whatever these supports hold.
+    /// Whether hinges leave the beam free to move without bending on these supports, all taken as bilateral.
     pub(super) fn is_mechanism<'a>(&self, supports: impl Iterator<Item = &'a Support>) -> bool {
         0 < self.free_motions(supports)
     }
 
-    /// In how many ways it may move without bending, whatever these supports hold: of the lines that it can be, with a corner in each
-    /// hinge, those that are zero at all supports and have no slope where it is built in.
+    /// The number of independent motions without bending on these supports, all taken as bilateral. Such a motion is a polyline
+    /// with corners at hinges that is zero at all supports and has no slope where rotation is restrained.
     pub(crate) fn free_motions<'a>(&self, supports: impl Iterator<Item = &'a Support>) -> usize {
-        /// A pivot that is less is zero but for rounding: places over the length of the beam are known to some units in the last place.
+        /// A smaller pivot counts as zero: positions divided by the length of the beam are known to some units in the last place.
         const ROUNDING: f64 = 1e-12;
         let hinges: Vec<f64> =
             self.joints().iter().filter(|j| j.stiffness.is_none()).map(|j| j.at / self.length()).collect();
@@ -173,7 +175,7 @@ impl Beam {
         unknowns - held
     }
 
-    /// Where the bending stiffness changes, from left to right \[length\].
+    /// The positions at which the bending stiffness changes, from left to right \[length\].
     pub(crate) fn changes(&self) -> impl Iterator<Item = f64> + '_ {
         self.steps().windows(2).filter(|two| two[0][1].total_cmp(&two[1][1]).is_ne()).map(|two| two[1][0])
     }

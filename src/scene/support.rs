@@ -1,47 +1,47 @@
-//! Supports, and what they prescribe for the deflection.
+//! Supports, and the conditions that they impose on the deflection.
 //!
 //! ```text
-//! axis of the beam        w0 + v                      own shape and deflection, both positive downwards
+//! axis of the beam        w0 + v                      initial shape and deflection, both positive downwards
 //! simple support at x_s   w0 + v = level              d_s = level − w0(x_s)
-//! built in besides        w0' + v' = slope            φ_s = slope − w0'(x_s)
-//! ground                  w0 + v ≤ u                  g = u − w0
-//! only pushes, at x_s     w0 + v ≤ level              g(x_s) = level − w0(x_s)
+//! built in, in addition   w0' + v' = slope            φ_s = slope − w0'(x_s)
+//! foundation              w0 + v ≤ u                  g = u − w0
+//! compression-only, x_s   w0 + v ≤ level              g(x_s) = level − w0(x_s)
 //! ```
 //!
-//! A support that only pushes is a [`Bearing`]: one more place where the beam may touch, a point of the obstacle that stands alone
-//! above the ground, or over nothing.
+//! A rigid compression-only support is a [`Bearing`]: one more position at which the beam may touch. It acts like a single point
+//! of the foundation.
 //!
-//! Supports that give take a deflection or a turn to press:
+//! An elastic support carries a force or a moment in proportion to its settlement or rotation:
 //!
 //! ```text
-//! spring, at x_s          R = k_s (w0 + v − level)        of either sign; one that only pushes has R ≥ 0, and lets the beam lift off
-//! turning spring          M jumps by −k_t (w0' + v' − slope)
+//! spring, at x_s          R = k_s (w0 + v − level)        of either sign; a compression-only one has R ≥ 0 and lets the beam lift off
+//! rotational spring       M jumps by −k_t (w0' + v' − slope)
 //! ```
 //!
-//! So methods, theory and certificate need `g`, `d_s` and `φ_s`, and neither `u` nor `w0`.
+//! Methods, beam theory and certificate therefore need `g`, `d_s` and `φ_s`, and neither `u` nor `w0`.
 
 use super::error::{SceneError, finite, on_beam, positive};
 use super::pieces;
 use super::quantity::Quantity;
 use super::{Beam, Foundation, Scene};
 
-/// A support: it holds the axis of the beam at one place against moving down and up, and if it is built in against turning too;
-/// one that only pushes lets it lift off.
+/// A support. It restrains the axis of the beam against vertical displacement, and against rotation if `slope` is given. A
+/// compression-only support restrains only downward displacement.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Support {
-    /// Where it is, `x_s` \[length\].
+    /// Position `x_s` \[length\].
     pub at: f64,
-    /// How deep it holds the axis, positive downwards \[length\].
+    /// The level at which it holds the axis, positive downwards \[length\].
     pub level: f64,
-    /// The slope at which it holds the axis, `w0' + v'`, positive where the axis goes down to the right; [`None`] for a simple
+    /// The slope `w0' + v'` at which it holds the axis, positive if the axis goes down to the right; [`None`] for a simple
     /// support, which leaves the slope free.
     pub slope: Option<f64>,
-    /// True for a bearing without hold-down, above which there may be play. It holds no slope.
+    /// True for a compression-only support, without hold-down and possibly with initial clearance. It does not restrain rotation.
     pub pushes_only: bool,
-    /// How stiff it is against sinking from its level, `k_s` \[force / length\]; [`None`] for one that holds the level.
+    /// Stiffness against settlement from its level, `k_s` \[force / length\]; [`None`] for a rigid support.
     pub stiffness: Option<f64>,
-    /// How stiff it is against turning from its slope, `k_t` \[force · length\]; [`None`] for one that is built in, or leaves the slope
-    /// free.
+    /// Stiffness against rotation from its slope, `k_t` \[force · length\]; [`None`] for a built-in support and for one that
+    /// leaves the slope free.
     pub turning_stiffness: Option<f64>,
 }
 
@@ -52,31 +52,31 @@ impl Support {
         Self { at, level: 0.0, slope: None, pushes_only: false, stiffness: None, turning_stiffness: None }
     }
 
-    /// A support at level 0 that only pushes.
+    /// A compression-only support at level 0.
     #[must_use]
     pub fn pushing(at: f64) -> Self {
         Self { pushes_only: true, ..Self::simple(at) }
     }
 
-    /// A support at level 0 in which the beam is built in horizontally.
+    /// A built-in support with a horizontal axis at level 0.
     #[must_use]
     pub fn built_in(at: f64) -> Self {
         Self { slope: Some(0.0), ..Self::simple(at) }
     }
 
-    /// A spring of the stiffness `k_s` without force at level 0 \[force / length\].
+    /// An elastic support of stiffness `k_s` that is free of force at level 0 \[force / length\].
     #[must_use]
     pub fn spring(at: f64, stiffness: f64) -> Self {
         Self { stiffness: Some(stiffness), ..Self::simple(at) }
     }
 
-    /// The same support with a spring of the stiffness `k_t` against turning from a slope \[force · length\].
+    /// The same support with a rotational spring of stiffness `k_t` that is free of moment at this slope \[force · length\].
     #[must_use]
     pub fn turning(self, turning_stiffness: f64, slope: f64) -> Self {
         Self { slope: Some(slope), turning_stiffness: Some(turning_stiffness), ..self }
     }
 
-    /// True if the beam is built in: the support holds its slope, and gives nothing.
+    /// True for a built-in support, which prescribes the slope rigidly.
     #[must_use]
     pub fn is_built_in(&self) -> bool {
         self.slope.is_some() && self.turning_stiffness.is_none()
@@ -89,54 +89,56 @@ impl Support {
     }
 }
 
-/// A support as all methods use it: what it prescribes for the deflection `v` from the own shape.
+/// A rigid bilateral support in the form that all methods use: the deflection `v` that it prescribes, measured from the initial
+/// shape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Held {
-    /// Where, `x_s` \[length\].
+    /// Position `x_s` \[length\].
     pub at: f64,
     /// `v(x_s) = d_s = level − w0(x_s)` \[length\].
     pub deflection: f64,
     /// `v'(x_s) = φ_s = slope − w0'(x_s)` where the beam is built in.
     pub slope: Option<f64>,
-    /// `k_t` and `φ_s` of a spring against turning \[force · length, –\].
+    /// `k_t` and `φ_s` of a rotational spring \[force · length, –\].
     pub turning: Option<[f64; 2]>,
-    /// True if there is ground to the left and to the right of it that starts at its level, up to the rounding of its depth there.
+    /// True to the left and to the right if the foundation on that side begins at the level of the support, within the rounding
+    /// of its depth.
     pub at_level: [bool; 2],
-    /// The same of ground that starts in its direction besides where the beam is built in, so that the beam can follow it.
+    /// True where in addition the foundation begins in the direction of a built-in beam, so that the beam can follow it; for
+    /// other supports equal to `at_level`.
     pub tangent: [bool; 2],
 }
 
-/// A support that gives, as all methods use it.
+/// An elastic support in the form that all methods use.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spring {
-    /// Where, `x_s` \[length\].
+    /// Position `x_s` \[length\].
     pub at: f64,
     /// `k_s` in `R = k_s (v − d_s)` \[force / length\].
     pub stiffness: f64,
     /// `d_s = level − w0(x_s)` \[length\].
     pub deflection: f64,
-    /// `k_t` and `φ_s = slope − w0'(x_s)` of a spring against turning besides \[force · length, –\].
+    /// `k_t` and `φ_s = slope − w0'(x_s)` of an additional rotational spring \[force · length, –\].
     pub turning: Option<[f64; 2]>,
-    /// True if it lets the beam lift off.
+    /// True if the beam may lift off.
     pub pushes_only: bool,
 }
 
-/// A support that only pushes, as all methods use it: `v(x_s) ≤ d_s`, like ground.
+/// A rigid compression-only support in the form that all methods use: `v(x_s) ≤ d_s`, as for a foundation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bearing {
-    /// Where, `x_s` \[length\].
+    /// Position `x_s` \[length\].
     pub at: f64,
-    /// `g(x_s) = d_s = level − w0(x_s)`, the play above it as long as nothing acts on the beam \[length\].
+    /// `g(x_s) = d_s = level − w0(x_s)`, the gap above it while the beam is unloaded \[length\].
     pub gap: f64,
 }
 
-/// Two supports are farther apart than this share of the beam. Their places are known to half a unit in the last place, so that the
-/// slope to which they hold the beam, the difference of their levels over their distance, is known to six digits at least: as many
-/// as a certified deflection has unless more are asked for.
+/// The smallest distance between two supports, relative to the length of the beam. Positions are known to half a unit in the last
+/// place. The slope that two supports prescribe is the difference of their levels divided by their distance. It is then known to
+/// at least six digits, as many as a certified deflection has unless more are requested.
 pub(super) const LEAST_DISTANCE: f64 = f64::EPSILON / 1e-6;
 
-/// `supports` from left to right, each with its index in the list as it is given, which errors have too; checked for a beam of
-/// this length.
+/// `supports` from left to right, checked for a beam of this length. Each has its index in the given list, which errors also use.
 pub(super) fn sorted(mut supports: Vec<Support>, length: f64) -> Result<Vec<(usize, Support)>, SceneError> {
     for (i, support) in supports.iter_mut().enumerate() {
         on_beam(Quantity::SupportAt(i), support.at, length)?;
@@ -163,7 +165,7 @@ pub(super) fn sorted(mut supports: Vec<Support>, length: f64) -> Result<Vec<(usi
     sorted.sort_by(|(_, a), (_, b)| a.at.total_cmp(&b.at));
     let least = LEAST_DISTANCE * length;
     if let Some(pair) = sorted.windows(2).find(|pair| pair[1].1.at - pair[0].1.at <= least) {
-        // The later one of the file is in the way.
+        // The support that comes later in the file is reported.
         let mut both = [pair[0], pair[1]];
         both.sort_by_key(|(i, _)| *i);
         let [(_, first), (i, second)] = both;
@@ -174,8 +176,8 @@ pub(super) fn sorted(mut supports: Vec<Support>, length: f64) -> Result<Vec<(usi
 }
 
 impl Foundation {
-    /// No rigid foundation lies above a support of `beam`, or at the level of one that only pushes, nor rises above the beam beside one in
-    /// which it is built in, nor on both sides of a simple one.
+    /// Checks the conditions of a rigid foundation at the supports of `beam`. It must not be above a support, nor at the level of
+    /// a compression-only one. It must not rise above the beam next to a built-in support, nor on both sides of a simple one.
     pub(super) fn check_at_supports(&self, beam: &Beam) -> Result<(), SceneError> {
         let length = beam.length();
         for support in beam.supports().iter().chain(beam.bearings()) {
@@ -217,13 +219,13 @@ impl Foundation {
 }
 
 impl Scene {
-    /// What the supports that hold the beam prescribe for the deflection, from left to right.
+    /// The deflections and slopes that the rigid bilateral supports prescribe, from left to right.
     #[must_use]
     pub fn held(&self) -> Vec<Held> {
         self.beam().supports().iter().map(|support| self.held_by(support)).collect()
     }
 
-    /// The supports that give, from left to right.
+    /// The elastic supports, from left to right.
     pub fn springs(&self) -> impl Iterator<Item = Spring> + '_ {
         self.beam().springs().iter().map(|support| {
             let &Support { at, pushes_only, stiffness, .. } = support;
@@ -232,12 +234,12 @@ impl Scene {
         })
     }
 
-    /// Those among them that only push.
+    /// The elastic compression-only supports.
     pub(crate) fn stops(&self) -> impl Iterator<Item = Spring> + '_ {
         self.springs().filter(|spring| spring.pushes_only)
     }
 
-    /// Where the beam may touch supports that only push, from left to right.
+    /// The rigid compression-only supports at which the beam may touch, from left to right.
     pub fn bearings(&self) -> impl Iterator<Item = Bearing> + '_ {
         let own = |at: f64| self.beam().shape().map_or(0.0, |shape| shape.depth(at));
         self.beam()
@@ -246,7 +248,7 @@ impl Scene {
             .map(move |support| Bearing { at: support.at, gap: support.level - own(support.at) })
     }
 
-    /// Whether a support stands in an elastic foundation, below its surface.
+    /// Whether a support is inside an elastic foundation, below its surface.
     pub(crate) fn stands_in_ground(&self, support: &Support) -> bool {
         self.depth(support.at) < support.level && self.is_grounded_beside(support.at) != [false; 2]
     }
@@ -258,7 +260,7 @@ impl Scene {
             self.beam().shape().map_or([0.0; 2], |shape| shape.sides(at)[usize::from(at < self.beam().length())]);
         let [at_level, tangent] = self.foundation().map_or([[false; 2]; 2], |foundation| {
             let within = foundation.level_within(at, self.beam().length());
-            // At an end of the beam with a step the smaller depth governs, and there is ground on one side only.
+            // At an end of the beam with a step the smaller depth governs, and the foundation is on one side only.
             let [first, last] = [at <= 0.0, self.beam().length() <= at];
             let [left, right] = match first || last {
                 true => [foundation.depth(at); 2],
@@ -268,7 +270,7 @@ impl Scene {
                 let rounding = pieces::LEVEL * (foundation.slope_size(at) + slope.unwrap_or(0.0).abs());
                 slope.is_none_or(|slope| (ground - slope).abs() <= rounding)
             });
-            // Springs may be above it.
+            // An elastic foundation may be above the support.
             let at_level = [!first && (left - level).abs() <= within, !last && (right - level).abs() <= within];
             [at_level, [at_level[0] && along[0], at_level[1] && along[1]]]
         });

@@ -1,27 +1,27 @@
-//! Numbers and places as messages have them.
+//! Numbers and positions as messages print them.
 
 use super::grid::MOST_FITTING;
 use super::quantity::Quantity;
 use crate::text::Results;
 
-/// A number as a message has it: as it is written in the file, or with six digits if it was computed.
+/// A number as messages print it: as written in the file, or with six digits if it was computed.
 pub(crate) fn shown(value: f64) -> String {
-    /// Nobody writes a number with more digits; a sum or a product of such numbers mostly has more.
+    /// Input rarely has more digits, whereas most computed sums and products do.
     const WRITTEN: usize = 12;
     let text = in_full(value);
     let digits = text.split('e').next().unwrap_or_default().chars().filter(char::is_ascii_digit).count();
     if digits <= WRITTEN || !value.is_finite() { text } else { Results::default().number(value) }
 }
 
-/// The same of a number that is compared with another one: with all digits where six would make them equal.
+/// A number that is compared with another one: with all digits if six would make them look equal.
 pub(super) fn against(value: f64, other: f64) -> String {
     let text = shown(value);
     if text == shown(other) { in_full(value) } else { text }
 }
 
-/// All digits: with a power of ten where a row of zeros would have to be counted.
+/// A number with all digits, and with a power of ten where many zeros would have to be counted.
 pub(super) fn in_full(value: f64) -> String {
-    // No minus before zero.
+    // Turns −0 into 0.
     let value = value + 0.0;
     let size = value.abs();
     if size == 0.0 || !value.is_finite() || (1e-5..1e16).contains(&size) {
@@ -31,7 +31,7 @@ pub(super) fn in_full(value: f64) -> String {
     }
 }
 
-/// What can carry a beam without supports that hold, with the outermost places of it.
+/// The objects that can carry a beam without bilateral supports, with their outermost positions.
 pub(super) fn carriers(grounded: bool, ends: [f64; 2]) -> String {
     let [from, to] = ends.map(shown);
     match (grounded, from == to) {
@@ -41,24 +41,25 @@ pub(super) fn carriers(grounded: bool, ends: [f64; 2]) -> String {
     }
 }
 
-/// Over what a beam turns whose loads are at a place outside these: its end on ground, and else the outermost support.
+/// The point about which the beam rotates if the resultant of its loads is at a position outside `ends`: the end of the
+/// foundation, or the outermost support.
 pub(super) fn fulcrum(grounded: bool, ends: [f64; 2], at: f64) -> String {
     let (side, end) = if at < ends[0] { ("left", ends[0]) } else { ("right", ends[1]) };
     if grounded { format!("the {side} end of the ground") } else { format!("its support at x = {}", shown(end)) }
 }
 
-/// To four significant digits.
+/// A number with four significant digits.
 pub(super) fn rounded(value: f64) -> String {
     shown(format!("{value:.3e}").parse().unwrap_or(value))
 }
 
-/// The same of a place that is not on the beam, with all its digits where four would put it there.
+/// A position outside a range with four significant digits, or with all digits if rounding would move it into the range.
 pub(super) fn beside(at: f64, [from, to]: [f64; 2]) -> String {
     let rounded: f64 = format!("{at:.3e}").parse().unwrap_or(at);
     if (from..=to).contains(&rounded) { in_full(at) } else { shown(rounded) }
 }
 
-/// What stands at a place that a grid needs a node for.
+/// The name of an object that needs a node of the grid at its position.
 pub(super) fn placed(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::JointAt(_) => "the joint",
@@ -67,7 +68,7 @@ pub(super) fn placed(quantity: Quantity) -> &'static str {
     }
 }
 
-/// What to do about a place between nodes.
+/// The advice for a position between nodes.
 pub(super) fn fitting(fits: Option<usize>) -> String {
     const PLACES: &str = "a node at every support, joint and change of the bending stiffness";
     match fits {

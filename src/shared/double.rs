@@ -1,6 +1,6 @@
-//! Numbers of about 32 digits, each an unevaluated sum of two of 64 bits.
+//! Numbers with about 32 digits, each the unevaluated sum of two 64-bit numbers.
 //!
-//! What one operation rounds off is itself a 64-bit number, and is carried along (Dekker 1971).
+//! The rounding error of an operation is itself a 64-bit number and is carried along (Dekker 1971).
 
 use std::ops::{Add, Mul, Sub};
 
@@ -14,12 +14,12 @@ pub(crate) struct Double {
 impl Double {
     pub(crate) const ZERO: Self = Self { high: 0.0, low: 0.0 };
 
-    /// A number, exactly.
+    /// Converts a 64-bit number exactly.
     pub(crate) fn exact(value: f64) -> Self {
         Self { high: value, low: 0.0 }
     }
 
-    /// `self · x + other`, off by some units of `10⁻³²` of the two terms.
+    /// `self · x + other`, with an error of some units of `10⁻³²` relative to the two terms.
     pub(crate) fn times_plus(self, x: f64, other: Self) -> Self {
         let product = self.high * x;
         let lost = libm::fma(self.high, x, -product);
@@ -29,19 +29,19 @@ impl Double {
         Self { high, low: low - (high - sum) }
     }
 
-    /// The sum of two numbers, exactly (Knuth).
+    /// The exact sum of two numbers (Knuth).
     fn sum(a: f64, b: f64) -> Self {
         let high = a + b;
         let part = high - a;
         Self { high, low: (a - (high - part)) + (b - part) }
     }
 
-    /// Its two numbers of 64 bits, the larger one first.
+    /// The two 64-bit numbers, the larger one first.
     pub(crate) fn parts(self) -> [f64; 2] {
         [self.high, self.low]
     }
 
-    /// Rounded to 64 bits.
+    /// The value rounded to 64 bits.
     pub(crate) fn rounded(self) -> f64 {
         self.high
     }
@@ -79,7 +79,7 @@ impl Mul for Double {
 mod tests {
     use super::*;
 
-    /// `(x − 1)(x + 1) = x² − 1` of a number beside 1: 64 bits would lose half of its digits.
+    /// `(x − 1)(x + 1) = x² − 1` for a number close to 1: 64-bit arithmetic would lose half of the digits.
     #[test]
     fn what_is_rounded_off_is_kept() {
         let x = 1.0 + f64::EPSILON;

@@ -1,19 +1,20 @@
-//! Memory for a grid. Whether there is enough is checked before it is filled: without it the program would be aborted, without a
+//! Checks for available memory. They run before memory is filled, because the program would otherwise be aborted without a
 //! message.
 
-/// True if so many pieces of so many bytes can be allocated now. They are freed at once.
+/// True if `pieces` pieces of `bytes` bytes can be allocated now. The memory is freed at once.
 ///
-/// On a system that overcommits memory this is true of anything below its limits.
+/// On a system that overcommits memory the result is true for every amount below the limits of the system.
 pub(crate) fn can_be_had(pieces: usize, bytes: usize) -> bool {
-    /// Bytes that are assumed to be free without a test.
+    /// Amount of memory that is assumed to be available without a test.
     const LITTLE: usize = 1 << 20;
     let Some(sum) = pieces.checked_mul(bytes) else { return false };
     sum <= LITTLE || Vec::<u8>::new().try_reserve_exact(sum).is_ok()
 }
 
-/// So many zeros. Few come from memory that was freed a moment ago and is in the cache, many from the system, which zeroes them.
+/// A vector of zeros. Small ones reuse memory that was freed recently and is in the cache; large ones come from the system
+/// already zeroed.
 pub(crate) fn zeros(count: usize) -> Vec<f64> {
-    /// 32 kB, the nearest cache of most processors.
+    /// 32 kB, the fastest cache of most processors.
     const FEW: usize = 4096;
     if FEW < count {
         return vec![0.0; count];

@@ -1,4 +1,4 @@
-//! What several rooms use and none owns: numbers as text, numbers of 32 digits, and a check for memory.
+//! Shared utilities: numbers as text, arithmetic with 32 digits, and a check for available memory.
 
 pub(crate) mod double;
 pub(crate) mod memory;

@@ -1,10 +1,10 @@
-//! Numbers, and titles, as text: for a reader of figures and documents, with a minus sign for the hyphen and powers of ten as such,
-//! and for tables that another program may read as well.
+//! Numbers and titles as text. Figures and documents use a minus sign and raised powers of ten; tables use a format that other
+//! programs can read too.
 
-/// `value` to `digits` significant digits, without trailing zeros; `2.5·10⁻⁷` where that is shorter.
+/// `value` with `digits` significant digits, without trailing zeros; in the form `2.5·10⁻⁷` if it is very small or large.
 #[must_use]
 pub fn significant(value: f64, digits: usize) -> String {
-    // A number that ends in 5 may come out a little below or above it, and is rounded up in either case.
+    // A number that ends in 5 may be computed slightly below or above; it is rounded up in both cases.
     const TIE: f64 = 1e-12;
     let value = value + TIE * value;
     let scientific = format!("{value:.*e}", digits.saturating_sub(1));
@@ -23,13 +23,13 @@ pub fn significant(value: f64, digits: usize) -> String {
     }
 }
 
-/// `value` with a fixed number of decimals, as the labels along an axis are written.
+/// `value` with a fixed number of decimals, as for the labels of an axis.
 #[must_use]
 pub fn fixed(value: f64, decimals: usize) -> String {
     typeset(&format!("{value:.decimals$}"))
 }
 
-/// `10ⁿ`, with raised digits.
+/// `10ⁿ` with raised digits.
 #[must_use]
 pub fn power_of_ten(exponent: i32) -> String {
     const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
@@ -38,25 +38,25 @@ pub fn power_of_ten(exponent: i32) -> String {
     "10".chars().chain(digits.chars().map(|c| raised(c).copied().unwrap_or('⁻'))).collect()
 }
 
-/// `10ⁿ` as the nearest `f64`. Reading it from text rounds correctly everywhere, which `powi` does not promise.
+/// `10ⁿ` as the nearest `f64`. Parsing text rounds correctly on every platform, which `powi` does not guarantee.
 #[must_use]
 pub fn ten_to(exponent: i32) -> f64 {
     format!("1e{exponent}").parse().unwrap_or(f64::INFINITY)
 }
 
-/// The largest `n` with `10ⁿ ≤ |value|`, for a finite value that is not zero.
+/// The largest `n` with `10ⁿ ≤ |value|`, for a finite nonzero value.
 #[must_use]
 pub fn decade(value: f64) -> i32 {
     let scientific = format!("{value:e}");
     scientific.split_once('e').and_then(|(_, n)| n.parse().ok()).unwrap_or(0)
 }
 
-/// The text without zeros that only follow a decimal point.
+/// The text without trailing zeros after a decimal point.
 fn trimmed(text: &str) -> &str {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
 }
 
-/// A minus sign in place of the hyphen, and no minus before zero.
+/// Replaces the hyphen by a minus sign, and removes the minus before zero.
 fn typeset(text: &str) -> String {
     match text.strip_prefix('-') {
         Some(rest) if rest.chars().all(|c| matches!(c, '0' | '.')) => rest.to_owned(),
@@ -65,21 +65,21 @@ fn typeset(text: &str) -> String {
     }
 }
 
-/// A text that Markdown shows as it is written. Titles and units come from a scene file, and may contain tags or links.
+/// A text that Markdown displays literally. Titles and units come from a scene file and may contain tags or links.
 #[must_use]
 pub fn markdown_text(text: &str) -> String {
-    /// Characters that have a meaning in Markdown, and none with a backslash before them.
+    /// Characters with a meaning in Markdown that a backslash removes.
     const MARKS: &str = r"\`*_[]<>&|~$#";
     text.chars().flat_map(|c| MARKS.contains(c).then_some('\\').into_iter().chain([c])).collect()
 }
 
-/// Significant digits of [`Results`] by default: more than any load or depth is known to.
+/// Default number of significant digits of [`Results`]: more than the accuracy of any load or depth.
 pub const DIGITS: usize = 6;
 
-/// As many digits as two numbers of 64 bits may differ in.
+/// The number of digits that distinguishes any two 64-bit numbers.
 pub const MOST_DIGITS: usize = 17;
 
-/// How results are written: so many significant digits, without trailing zeros.
+/// Format of results: a number of significant digits, without trailing zeros.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Results {
     digits: usize,
@@ -92,37 +92,37 @@ impl Default for Results {
 }
 
 impl Results {
-    /// With 1 to [`MOST_DIGITS`] digits; the nearest of these for any other number.
+    /// Results with 1 to [`MOST_DIGITS`] digits; other numbers are limited to this range.
     #[must_use]
     pub fn with_digits(digits: usize) -> Self {
         Self { digits: digits.clamp(1, MOST_DIGITS) }
     }
 
-    /// A result.
+    /// Formats a result.
     #[must_use]
     pub fn number(self, value: f64) -> String {
         plain(value, self.digits)
     }
 
-    /// A lower bound: never above the number.
+    /// Formats a lower bound: the text is never above the number.
     #[must_use]
     pub fn at_least(self, value: f64) -> String {
         bounding(value, |value| self.number(value), -self.slack(), |shown, value| shown <= value)
     }
 
-    /// An upper bound: never below the number.
+    /// Formats an upper bound: the text is never below the number.
     #[must_use]
     pub fn at_most(self, value: f64) -> String {
         bounding(value, |value| self.number(value), self.slack(), |shown, value| value <= shown)
     }
 
-    /// Steps of a tenth of a unit in the last digit, as a share, or more; at most one unit.
+    /// Relative step of at least a tenth of a unit in the last digit, and at most one unit.
     fn slack(self) -> f64 {
         ten_to(-i32::try_from(self.digits).unwrap_or(i32::MAX)).max(f64::EPSILON)
     }
 }
 
-/// A residual, an error or a time: two digits and its order of magnitude; a dash where there is none, which is infinite or NaN.
+/// A residual, an error or a time with two digits and its order of magnitude; a dash for infinity and NaN.
 #[must_use]
 pub fn magnitude(value: f64) -> String {
     match value {
@@ -132,22 +132,22 @@ pub fn magnitude(value: f64) -> String {
     }
 }
 
-/// A tenth of a unit in the second digit, or less.
+/// At most a tenth of a unit in the second digit, relative.
 const SLACK: f64 = 0.01;
 
-/// An upper bound of which only the size is of interest: as [`magnitude`], but never below the number.
+/// An upper bound of which only the magnitude matters: formatted as by [`magnitude`], but never below the number.
 #[must_use]
 pub fn magnitude_at_most(value: f64) -> String {
     bounding(value, magnitude, SLACK, |shown, value| value <= shown)
 }
 
-/// The same of a lower bound: never above the number.
+/// A lower bound of which only the magnitude matters: formatted as by [`magnitude`], but never above the number.
 #[must_use]
 pub fn magnitude_at_least(value: f64) -> String {
     bounding(value, magnitude, -SLACK, |shown, value| shown <= value)
 }
 
-/// An upper bound that is a share: in per cent where that can be read, `0.25 %`, and otherwise as [`magnitude_at_most`].
+/// An upper bound on a relative quantity: in per cent if readable, such as `0.25 %`, otherwise as by [`magnitude_at_most`].
 #[must_use]
 pub fn share_at_most(value: f64) -> String {
     if !(1e-4..10.0).contains(&value) {
@@ -164,10 +164,10 @@ fn bounding(value: f64, text: impl Fn(f64) -> String, slack: f64, bounds: impl F
     shown.find(|shown| shown.parse().is_ok_and(|shown| bounds(shown, value))).unwrap_or_else(|| text(value))
 }
 
-/// `value` to `digits` significant digits, without trailing zeros; `2.5e-7` where a row of zeros would have to be counted.
+/// `value` with `digits` significant digits, without trailing zeros; in the form `2.5e-7` if it is very small or large.
 fn plain(value: f64, digits: usize) -> String {
     if value == 0.0 || !value.is_finite() {
-        // Also −0, which means nothing to a reader.
+        // Also −0, whose sign means nothing to a reader.
         return if value == 0.0 { "0".to_owned() } else { value.to_string() };
     }
     let scientific = format!("{value:.*e}", digits - 1);
@@ -215,7 +215,7 @@ mod tests {
                 for number in [number, -number] {
                     let [least, most] = [results.at_least(number), results.at_most(number)].map(|text| value(&text));
                     assert!(least <= number && number <= most, "{number} with {digits} digits: {least} to {most}");
-                    // A unit in the last digit is at most so large, and two of them are too many.
+                    // A unit in the last digit is at most this large, and a deviation of more than two units is an error.
                     let unit = number.abs() * 10.0 * ten_to(-i32::try_from(digits.max(1)).expect("few digits"));
                     assert!(
                         most - least <= 2.0 * unit.max(1e-15 * number.abs()),

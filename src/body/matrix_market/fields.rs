@@ -1,4 +1,4 @@
-//! Lines of a matrix file, field by field.
+//! Parses the fields of a line of a matrix file.
 
 use std::ops::Range;
 use std::str::FromStr;
@@ -7,10 +7,10 @@ use super::{MOST_ROWS, Mark};
 use crate::body::BodyProblem;
 use crate::scene::file::Found;
 
-/// A field with its place in the line.
+/// A field with its location in the line.
 type Field<'a> = (&'a str, Range<usize>);
 
-/// The fields of a line, parted by blanks or commas.
+/// The fields of a line, separated by white space or commas.
 pub(super) fn pieces(text: &str) -> impl Iterator<Item = Field<'_>> {
     let fields = text.split(|c: char| c.is_ascii_whitespace() || c == ',').filter(|field| !field.is_empty());
     fields.map(|field| {
@@ -24,7 +24,7 @@ pub(super) fn fields<'a, const N: usize>(text: &'a str, expected: &'static str) 
     found.try_into().map_err(|found: Vec<_>| (0..text.len(), BodyProblem::Fields { expected, found: found.len() }))
 }
 
-/// A number as programs write it: Fortran has exponents `D` for twice the precision.
+/// Parses a number as programs write it: Fortran uses the exponent `D` for double precision.
 pub(super) fn real(text: &str) -> Option<f64> {
     text.parse().or_else(|_| text.replace(['D', 'd'], "e").parse()).ok()
 }
@@ -37,12 +37,12 @@ pub(super) fn finite((field, place): Field<'_>) -> Result<f64, Mark> {
     real(field).filter(|value| value.is_finite()).ok_or_else(wrong)
 }
 
-/// A row or a column of a file without a size.
+/// Parses a row or a column in a file without a size.
 pub(super) fn row(quantity: &'static str, field: Field<'_>) -> Result<usize, Mark> {
     Ok(whole(quantity, field, 1, MOST_ROWS)? - 1)
 }
 
-/// The name of a node or of one of its freedoms; programs give negative ones to nodes of their own.
+/// Parses the label of a node or of one of its degrees of freedom; some programs give negative labels to internal nodes.
 pub(super) fn label(quantity: &'static str, field: Field<'_>) -> Result<i64, Mark> {
     number(quantity, field, |_| true, || "a whole number".to_owned())
 }

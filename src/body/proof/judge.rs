@@ -1,4 +1,5 @@
-//! How far answers are off the proven point: those of solvers, and clearances or contact forces that a program brought.
+//! Error bounds for answers, from their distance to the proven point: answers of solvers, and clearances or forces from another
+//! program.
 
 use super::{Brought, Errors, Off, Proof, UP, apart, energy};
 use crate::body::{Body, Kind};
@@ -6,7 +7,8 @@ use crate::double::Double;
 use crate::qp::NotPositiveDefinite;
 use crate::solvers::Answer;
 
-/// Variables and gradient that were brought, with what they may be off, and what is left of the gradient.
+/// Variables and gradient of a given answer, with bounds on their errors (`off`) and on the norm of the gradient residual
+/// (`rest`).
 struct Point {
     x: Vec<Double>,
     gradient: Vec<Double>,
@@ -15,7 +17,7 @@ struct Point {
 }
 
 impl Proof {
-    /// How far some clearances are off, with ground out of reach where the program has it.
+    /// Error bounds for clearances, given with reduced gaps where the foundation is out of reach.
     #[must_use]
     pub fn off(&self, clearance: &[f64]) -> Off {
         self.clearance_off(clearance.iter().copied().map(Double::exact), self.error)
@@ -25,14 +27,14 @@ impl Proof {
         Off::new(apart(&self.clearance, clearance, error), self.sizes.clearance)
     }
 
-    /// How far some contact forces are off.
+    /// Error bounds for contact forces.
     #[must_use]
     pub fn force_off(&self, force: &[f64]) -> Off {
         let force = force.iter().copied().map(Double::exact);
         Off::new(apart(&self.force, force, self.force_error), self.sizes.force)
     }
 
-    /// How far an energy is off that is itself known up to an error.
+    /// Error bounds for an energy that is itself known up to an error.
     fn energy_off(&self, (energy, error): (Double, f64)) -> Off {
         let ([lower, upper], energy) = (self.energy, energy.rounded());
         let least = (lower - energy).max(energy - upper) - error * UP;
@@ -44,7 +46,7 @@ impl Proof {
         Off::new(known, self.sizes.energy)
     }
 
-    /// How far the answer of a solver is off.
+    /// Error bounds for the answer of a solver.
     #[must_use]
     pub fn errors(&self, body: &Body, answer: &Answer) -> Errors {
         let (clearance, force) = body.clearance_within_reach(answer);
@@ -53,14 +55,14 @@ impl Proof {
         Errors { clearance: self.off(clearance), force: self.force_off(force), energy: self.energy_off(energy) }
     }
 
-    /// The clearances that were brought, or that the forces cause, the forces, and how far all of them are off.
+    /// The clearances and contact forces of a given answer, one of them computed from the other, and their error bounds.
     ///
-    /// A clearance out of reach that is right to the last digit says no more than that nothing touches there: what is left of such a gap
-    /// by a displacement is then that of equilibrium.
+    /// A clearance out of reach that is correct to its last digits only shows that there is no contact. The small displacement
+    /// there is then computed from equilibrium.
     ///
     /// # Errors
     ///
-    /// [`NotPositiveDefinite`] never of a body that there is.
+    /// [`NotPositiveDefinite`], which does not occur for a valid body.
     pub fn judge(&self, body: &Body, brought: &Brought) -> Result<([Vec<f64>; 2], Errors), NotPositiveDefinite> {
         let qp = &body.program;
         let Point { x, gradient, off: [x_off, gradient_off], rest } = match brought {
@@ -75,13 +77,13 @@ impl Proof {
         };
         let norm = (0..x.len()).map(|i| slope(i) * slope(i)).sum::<f64>().sqrt();
         let (known, rounded) = energy(body, &x, &sums);
-        // J(x + δ) − J(x) = J'(x)ᵀδ + ½ δᵀA δ, and A δ is what is left of the gradient.
+        // J(x + δ) − J(x) = J'(x)ᵀδ + ½ δᵀA δ, and A δ is the residual of the gradient.
         let energy = self.energy_off((known, (rounded + x_off * (norm + rest)) * UP));
         let (clearance, force, [off, force_off]) = match body.kind {
             Kind::Stiffness => (x, gradient, [x_off, gradient_off]),
             Kind::Flexibility => (gradient, x, [gradient_off, x_off]),
         };
-        // What may be nothing but the rounding of its own solve is zero.
+        // Values that may be only the rounding of the solve are set to zero.
         let rounded = |values: &[Double], off: f64| -> Vec<f64> {
             values.iter().map(|h| if h.rounded().abs() <= off { 0.0 } else { h.rounded() }).collect()
         };
@@ -95,7 +97,7 @@ impl Proof {
         Ok((both, errors))
     }
 
-    /// The point of contact forces.
+    /// The point that belongs to contact forces.
     fn of_force(&self, body: &Body, force: &[f64]) -> Result<Point, NotPositiveDefinite> {
         let exact: Vec<Double> = force.iter().copied().map(Double::exact).collect();
         match body.kind {
@@ -104,7 +106,7 @@ impl Proof {
         }
     }
 
-    /// The point of clearances.
+    /// The point that belongs to clearances.
     fn of_clearance(&self, body: &Body, clearance: &[f64]) -> Result<Point, NotPositiveDefinite> {
         let (mut within, mut told) = (Vec::with_capacity(clearance.len()), vec![true; clearance.len()]);
         for (i, h) in clearance.iter().enumerate() {
@@ -113,7 +115,7 @@ impl Proof {
             let own = match gap.is_finite() {
                 true => Double::exact(*h) - (Double::exact(gap) - Double::exact(reach)),
                 false if f64::INFINITY <= *h => self.clearance[i],
-                // No number is right there.
+                // No finite number is correct there.
                 false => Double::exact(f64::NAN),
             };
             let off = (own - self.clearance[i]).rounded().abs();
@@ -134,7 +136,7 @@ impl Proof {
         Point { x, gradient: sums.values, off: [0.0, off], rest: 0.0 }
     }
 
-    /// Variables with a gradient that is told; where it is not told, they are zero.
+    /// Variables with a prescribed gradient; where it is not prescribed, the variables are zero.
     fn with_gradient(&self, body: &Body, told: &[bool], gradient: Vec<Double>) -> Result<Point, NotPositiveDefinite> {
         let chosen: Vec<usize> = (0..told.len()).filter(|i| told[*i]).collect();
         let x = body.program.solved(&chosen, &gradient, None)?;
@@ -146,7 +148,7 @@ impl Proof {
         let x_off = rest / self.least_eigenvalue * UP;
         let diagonal = body.program.profile().diagonal().fold(0.0, f64::max);
         let open = (0..told.len()).filter(|i| !told[*i]).map(|i| found.off(i)).fold(0.0, f64::max);
-        // Where it is told it is exact; elsewhere |A δ|_i ≤ √a_ii ‖r‖/√τ.
+        // A prescribed gradient is exact; elsewhere |A δ|_i ≤ √a_ii ‖r‖/√τ.
         let gradient_off = if chosen.len() == told.len() {
             0.0
         } else {

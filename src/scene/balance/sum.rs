@@ -1,11 +1,11 @@
-//! Sums of all loads and of their moments in twice the precision, with how far rounding of what is given may move them.
+//! Sums of all loads and of their moments in twice the precision, with bounds for the rounding of the input.
 
 use std::cmp::Ordering;
 
 use crate::double::Double;
 use crate::scene::{Concentrated, Scene};
 
-/// A sum in twice the precision, and how far the rounding of what is given may have moved it.
+/// A sum in twice the precision, with a bound on the error that the rounding of the input may cause.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sum {
     sum: Double,
@@ -15,7 +15,7 @@ pub(super) struct Sum {
 impl Sum {
     const NOTHING: Self = Self { sum: Double::ZERO, within: 0.0 };
 
-    /// Half a unit in the last place, as a share; the sums themselves are exact to its square.
+    /// Half a unit in the last place, relative. The error of the sums themselves is of the order of its square.
     const ROUNDING: f64 = 0.5 * f64::EPSILON;
 
     /// `W = ∫q`.
@@ -35,7 +35,7 @@ impl Sum {
         sum
     }
 
-    /// `∫q (x − c)` with all couples, six times of which is a sum of products.
+    /// `∫q (x − c)` with all couples. Six times this value is a sum of products.
     pub(super) fn of_moments(scene: &Scene, about: f64) -> Self {
         let (mut sum, load, length) = (Self::NOTHING, scene.load(), scene.beam().length());
         let (uniform, l, c) = (load.uniform(), Double::exact(length), Double::exact(about));
@@ -56,7 +56,7 @@ impl Sum {
         }
         for Concentrated { at, force, couple } in load.concentrated() {
             let lever = Double::exact(at) - c;
-            // A load just above the place has no lever, whatever its last digit.
+            // A load at the reference position has no lever arm, whatever its last digit.
             let known = if lever.rounded() == 0.0 { 0.0 } else { lever.rounded().abs() + at + about };
             let moment = Double::exact(force) * lever + Double::exact(couple);
             sum.add(Double::exact(6.0) * moment, 6.0 * (force.abs() * known + couple.abs()));
@@ -64,7 +64,7 @@ impl Sum {
         Self { sum: sum.sum * Double::exact(1.0 / 6.0), within: sum.within / 6.0 }
     }
 
-    /// Adds a term; `size` is that of the numbers of which half a unit in the last place is not known.
+    /// Adds a term. `size` is the magnitude of the numbers that are known only to half a unit in the last place.
     fn add(&mut self, term: Double, size: f64) {
         self.sum = self.sum + term;
         self.within += Self::ROUNDING * size;
@@ -78,7 +78,7 @@ impl Sum {
         self.sum.rounded()
     }
 
-    /// The sign, equal to zero where zero cannot be told from it.
+    /// The sign; `Equal` if the sum cannot be distinguished from zero.
     pub(super) fn sign(self) -> Ordering {
         match self.value() {
             value if value.abs() <= self.within => Ordering::Equal,
@@ -92,7 +92,7 @@ mod tests {
     use super::*;
     use crate::scene::{Beam, LinearLoad, Load};
 
-    /// Both ends of a part, moved by a unit in their last place, are twice as far off as rounding puts them.
+    /// Moving both ends of a load by one unit in the last place causes twice the error that rounding allows.
     #[test]
     fn the_ends_of_a_load_are_known_but_for_rounding() {
         let beam = Beam::new(10.0, 1.0).expect("positive");

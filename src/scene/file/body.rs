@@ -1,4 +1,4 @@
-//! `[body]`: an elastic body from a matrix, with gaps and loads as CSV in the layout of a survey.
+//! Reads the table `[body]`: an elastic body from a matrix, with gaps and loads as CSV in the layout of a survey.
 
 use std::ops::ControlFlow;
 
@@ -15,24 +15,24 @@ use crate::body::{Body, BodyProblem, Kind};
 use crate::qp::{Explicit, Profile};
 use crate::scene::Scene;
 
-/// Who reads the files that a scene file names, as they are written there.
+/// Reads the files that a scene file names; `path` is the name as written there.
 pub trait Beside {
-    /// All of a file.
+    /// The contents of a file.
     ///
     /// # Errors
     ///
-    /// Why it cannot be read.
+    /// The reason why it cannot be read.
     fn text(&mut self, path: &str) -> Result<String, ReadProblem>;
 
-    /// The lines of a file one by one, without their ends, until `each` breaks.
+    /// Passes the lines of a file to `each` one by one, without line ends, until `each` breaks.
     ///
     /// # Errors
     ///
-    /// Why it cannot be read.
+    /// The reason why it cannot be read.
     fn lines(&mut self, path: &str, each: &mut dyn FnMut(&str) -> ControlFlow<()>) -> Result<(), ReadProblem>;
 }
 
-/// What a scene file describes.
+/// The model that a scene file describes.
 #[derive(Debug)]
 #[expect(clippy::large_enum_variant, reason = "there is one of it at a time")]
 pub enum Model {
@@ -79,7 +79,7 @@ pub(super) fn read(
     let title = file.line_of_text("title").map_err(at)?.unwrap_or_default();
     let units = units(&file).map_err(at)?;
     let body = Body::new(kind, matrix, foundation.as_ref().map(|(foundation, _)| foundation), gap, load);
-    // Each matrix by itself is positive definite already, so that only rounding could destroy it.
+    // Each matrix is already known to be positive definite, so that only rounding can make their sum indefinite.
     let mut body = body.map_err(|problem| match (&problem, &foundation) {
         (BodyProblem::Sizes { .. }, Some((_, value))) => wrong(value, problem),
         _ => wrong(&given, problem),
@@ -101,7 +101,7 @@ impl Files<'_> {
         self.source.error(value.span(), problem.into())
     }
 
-    /// A positive definite matrix.
+    /// Reads a positive definite matrix.
     fn matrix(&mut self, key: &'static str, value: &Value<'_>) -> Result<Profile, Box<FileError>> {
         let path = value.line_of_text().map_err(|error| self.source.error(error.span, error.problem))?;
         let name = named_beside(self.source.name, &path);
@@ -122,7 +122,7 @@ impl Files<'_> {
         }
     }
 
-    /// A number for each freedom.
+    /// Reads a number for each degree of freedom.
     fn table(
         &mut self,
         key: &'static str,
@@ -137,11 +137,12 @@ impl Files<'_> {
     }
 }
 
-/// Quantities that are infinite where there is no ground.
+/// Quantities that are infinite where there is no foundation.
 const WITHOUT_END: [&str; 2] = ["gap", "clearance"];
 
-/// Numbers `i,quantity` of all freedoms, `i` from 1, and which of some quantities they are; those that are not listed are as `left_out`
-/// has them, or zero where that is not finite and the quantity must be.
+/// Reads rows `i,quantity` for degrees of freedom `i`, counted from 1. Returns the index of the quantity named in the header, and
+/// the values of all degrees of freedom. A degree of freedom without a row receives its value from `left_out` if the quantity may
+/// be infinite, and zero otherwise.
 fn column(file: &Survey, quantities: &[&'static str], left_out: &[f64]) -> Result<(usize, Vec<f64>), Box<FileError>> {
     let n = left_out.len();
     let (layout, mut rows) = (file.layout(), file.rows());
@@ -177,11 +178,11 @@ fn column(file: &Survey, quantities: &[&'static str], left_out: &[f64]) -> Resul
     Ok((which, values.into_iter().zip(left_out).map(|(value, left_out)| value.unwrap_or(or_else(*left_out))).collect()))
 }
 
-/// Reads what a program brought for a body: `i,force` or `i,clearance`.
+/// Reads the answer of another program for a body: `i,force` or `i,clearance`.
 ///
 /// # Errors
 ///
-/// Text that is not such a file, with line and column.
+/// Text in another format, with line and column.
 pub fn parse_answers(name: &str, text: &str, body: &Body) -> Result<Brought, Box<FileError>> {
     let file = Survey::new(name.to_owned(), text.to_owned());
     let left_out: Vec<f64> = body.gap().iter().map(|gap| if gap.is_finite() { 0.0 } else { *gap }).collect();

@@ -1,4 +1,4 @@
-//! Which columns of a survey are read, and how: `survey = { file, x, depth | elevation, datum, origin, direction, no_data }`.
+//! Declaration of the columns of a survey: `survey = { file, x, depth | elevation, datum, origin, direction, no_data }`.
 
 use std::fmt;
 
@@ -9,39 +9,39 @@ use super::table::{Error, Keys, Span, Value};
 /// The keys of the table.
 const KEYS: &[&str] = &["file", "x", "depth", "elevation", "datum", "origin", "direction", "no_data"];
 
-/// A survey as the scene file names it.
+/// A survey as the scene file declares it.
 #[derive(Debug, Clone)]
 pub(super) struct Named {
     pub(super) path: String,
-    /// Where the name of the file is.
+    /// Location of the file name.
     pub(super) span: Span,
-    /// Without them the header is `x,depth`.
+    /// Declared columns; without a declaration the header is `x,depth`.
     pub(super) columns: Option<Columns>,
 }
 
-/// What is read of each row.
+/// The declared columns and the meaning of their values.
 #[derive(Debug, Clone)]
 pub(super) struct Columns {
     pub(super) x: Column,
     pub(super) value: Column,
-    /// Of elevations, the elevation at which the depth is 0 \[length\]; of depths none.
+    /// For elevations, the elevation at which the depth is 0 \[length\]; [`None`] for depths.
     pub(super) datum: Option<f64>,
-    /// Chainage of the left end of the beam; what lies beyond the beam is left out. Without it x counts from there, and reaches from end
-    /// to end.
+    /// Chainage of the left end of the beam; points beyond the beam are then removed. Without it x is measured from the left end,
+    /// and the survey reaches exactly from end to end.
     pub(super) origin: Option<f64>,
-    /// Whether chainage counts from right to left.
+    /// Whether chainage increases from right to left.
     pub(super) falls: bool,
     pub(super) no_data: Option<NoData>,
 }
 
-/// A column by its name, or by its number from 1.
+/// A column, given by its name or by its number from 1.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Column {
     Name(String),
     Number(usize),
 }
 
-/// What stands in the place of a missing value.
+/// The marker of a missing value.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum NoData {
     Number(f64),
@@ -49,7 +49,7 @@ pub(super) enum NoData {
 }
 
 impl Named {
-    /// The value of a key `survey`: the name of a file, or a table.
+    /// Reads the value of a key `survey`: a file name or a table.
     pub(super) fn of(value: &Value<'_>) -> Result<Self, Error> {
         if !value.is_table() {
             return Ok(Self { path: value.line_of_text()?, span: value.span(), columns: None });
@@ -94,13 +94,13 @@ impl Columns {
         Ok(Self { x, value: Column::of(&value)?, datum, origin, falls, no_data })
     }
 
-    /// What the values are called.
+    /// The name of the values.
     pub(super) fn quantity(&self) -> &'static str {
         if self.datum.is_some() { "elevation" } else { "depth" }
     }
 }
 
-/// What a column is given by.
+/// The permitted ways to give a column, for messages.
 const COLUMN: &str = "the name of a column, or its number from 1";
 
 impl Column {
@@ -129,7 +129,7 @@ impl NoData {
         value.line_of_text().map(Self::Text).or_else(|_| value.finite().map(Self::Number))
     }
 
-    /// Whether a field is such a mark; `number` reads it.
+    /// Whether a field contains the marker; `number` parses a field.
     pub(super) fn is(&self, text: &str, number: impl Fn(&str) -> Option<f64>) -> bool {
         match self {
             Self::Text(mark) => mark == text,

@@ -1,4 +1,4 @@
-//! The contents of a scene file, table by table; its numbers are not checked yet.
+//! The contents of a scene file, table by table; the numbers are not checked yet.
 
 use toml::de::DeTable;
 
@@ -7,14 +7,14 @@ use super::columns::Named;
 use super::table::{Error, Keys, Value};
 use crate::scene::{CoupleLoad, Foundation, Joint, LinearLoad, PointLoad, Profile, Support, Units};
 
-/// All of it.
+/// The contents of a scene file.
 pub(super) struct Contents {
     pub(super) title: String,
     pub(super) units: Units,
     pub(super) beam: BeamKeys,
     pub(super) load: LoadKeys,
     pub(super) foundation: Option<Given>,
-    /// Of ground that gives.
+    /// Stiffness of an elastic foundation.
     pub(super) stiffness: Option<Stiffness>,
 }
 
@@ -35,7 +35,7 @@ pub(super) fn read(document: &DeTable<'_>) -> Result<Contents, Error> {
     })
 }
 
-/// `[units]`, which may be left out.
+/// Reads `[units]`, which is optional.
 pub(super) fn units(file: &Keys<'_>) -> Result<Units, Error> {
     let units = file.table("units", &["length", "force"])?;
     let label = |key| units.as_ref().map_or(Ok(None), |units| units.line_of_text(key));
@@ -70,18 +70,18 @@ fn beam(file: &Keys<'_>) -> Result<BeamKeys, Error> {
     })
 }
 
-/// A stiffness of the beam, or of the foundation.
+/// A stiffness of the beam or of the foundation.
 #[derive(Debug)]
 pub(super) enum Stiffness {
-    /// From end to end.
+    /// Uniform from end to end.
     One(f64),
-    /// From each place on.
+    /// Positions and the stiffness that begins at each.
     Steps(Vec<[f64; 2]>),
 }
 
 fn stiffness(value: &Value<'_>) -> Result<Stiffness, Error> {
     if !value.is_table() {
-        // A bare list of pairs could be steps, or points of a line, as elsewhere.
+        // A bare list of pairs could mean steps, or points of a line as elsewhere.
         return value
             .number_or("a number, or steps { steps = [[x, stiffness], …] }, each from its x on")
             .map(Stiffness::One);
@@ -133,7 +133,7 @@ fn support(value: &Value<'_>) -> Result<Support, Error> {
     })
 }
 
-/// The keys of `[load]`, none if it is left out.
+/// The keys of `[load]`; all empty without that table.
 #[derive(Debug, Default)]
 pub(super) struct LoadKeys {
     pub(super) uniform: f64,
@@ -142,7 +142,7 @@ pub(super) struct LoadKeys {
     pub(super) couple: Vec<CoupleLoad>,
 }
 
-/// `[load]`: `uniform`, `linear`, `point` and `couple`, each of which may be left out.
+/// Reads `[load]`: `uniform`, `linear`, `point` and `couple`, each of which is optional.
 fn load(file: &Keys<'_>) -> Result<LoadKeys, Error> {
     let Some(load) = file.table("load", &["uniform", "linear", "point", "couple"])? else {
         return Ok(LoadKeys::default());
@@ -168,22 +168,22 @@ fn load(file: &Keys<'_>) -> Result<LoadKeys, Error> {
     Ok(keys)
 }
 
-/// The five ways, as the keys of the table.
+/// The keys for the five ways to give a profile.
 pub(super) const KINDS: &[&str] = &["depth", "polynomial", "cosine", "points", "survey"];
 
-/// The keys of `[foundation]`: the same, and how stiff it is.
+/// The keys of `[foundation]`: those of a profile, and its stiffness.
 const GROUND: &[&str] = &["depth", "polynomial", "cosine", "points", "survey", "stiffness"];
 
-/// The value of the table.
+/// The profile that a table gives.
 #[derive(Debug)]
 pub(super) enum Given {
     /// The profile itself.
     Profile(Foundation),
-    /// The name of a survey, and what is read of it.
+    /// The declaration of a survey that contains the profile.
     Survey(Named),
 }
 
-/// The profile in the table `key` of `parent`, if it is there: exactly one of five ways to give a depth `u(x)`, or `w0(x)`.
+/// Reads the profile in the table `key` of `parent`, if there is one. Exactly one of five keys gives the depth `u(x)` or `w0(x)`.
 fn profile(parent: &Keys<'_>, key: &str, of: Profile, keys: &'static [&'static str]) -> Result<Option<Given>, Error> {
     let Some(table) = parent.table(key, keys)? else {
         return Ok(None);

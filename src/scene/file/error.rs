@@ -1,4 +1,4 @@
-//! An error with its place in a file, and the picture of it: file, line, column, a caret.
+//! An error with its location in a file, and its rendered message: file, line, column and a caret.
 
 use std::fmt;
 
@@ -7,49 +7,49 @@ use super::problem::is_forbidden;
 use super::survey::line_end;
 use super::table::Span;
 
-/// Why a file is no scene, or no survey.
+/// The reason why a scene file, a survey or another input file is invalid.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FileError {
-    /// The file, as the caller called it.
+    /// The name of the file as given by the caller.
     pub file: String,
-    /// Where in it, unless the file as a whole is the problem.
+    /// The location in the file; [`None`] if the error concerns the whole file.
     pub place: Option<Place>,
-    /// What is wrong.
+    /// The error itself.
     pub problem: Problem,
 }
 
-/// A place in a file.
+/// A location in a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Place {
     /// Line, from 1.
     pub line: usize,
     /// Column, in characters, from 1.
     pub column: usize,
-    /// The line itself, unless it is not to be shown.
+    /// The line itself; [`None`] if it must not be printed.
     text: Option<String>,
-    /// Bytes of it that are meant.
+    /// The bytes of the line to which the error refers.
     marked: Span,
 }
 
 impl FileError {
-    /// An error about the file as a whole.
+    /// An error that concerns the whole file.
     #[must_use]
     pub fn whole(file: &str, problem: Problem) -> Self {
         Self { file: file.to_owned(), place: None, problem }
     }
 
-    /// An error about the bytes `span` of `text`.
+    /// An error at the bytes `span` of `text`.
     pub(super) fn at(file: &str, text: &str, span: Span, problem: Problem) -> Self {
         Self { file: file.to_owned(), place: Some(Place::of(text, span)), problem }
     }
 
-    /// An error about the bytes `span` of a line, of which `text` is all.
+    /// An error at the bytes `span` of a single line, whose contents are `text`.
     pub(super) fn on_line(file: &str, line: usize, text: &str, span: Span, problem: Problem) -> Self {
         let place = Place { line, ..Place::of(text, span) };
         Self { file: file.to_owned(), place: Some(place), problem }
     }
 
-    /// The same error; the message repeats no text of the file, only the place in it.
+    /// The same error with a message that contains no text of the file, only the location.
     #[must_use]
     pub fn without_text(mut self) -> Self {
         if let Some(place) = &mut self.place {
@@ -58,10 +58,10 @@ impl FileError {
         Self { problem: self.problem.without_text(), ..self }
     }
 
-    /// The message with its picture, in colours of a terminal if `colour`. Without the feature `cli` there is no picture.
+    /// The message with an excerpt of the file, in terminal colours if `colour`. Without the feature `cli` there is no excerpt.
     #[must_use]
     pub fn render(&self, colour: bool) -> String {
-        // Names of files, keys and columns may hold anything; what is not printable must not reach a terminal.
+        // File names, keys and columns may contain any character; unprintable ones must not reach a terminal.
         let title = printable(&self.problem.to_string());
         let file = printable(&self.file);
         let lines = |text: String| text.split('\n').map(printable).collect::<Vec<_>>().join("\n");
@@ -70,11 +70,11 @@ impl FileError {
     }
 }
 
-/// What a message says in the place of text that it does not repeat.
+/// Replaces text that a message does not repeat.
 #[cfg(feature = "cli")]
 const NOT_SHOWN: &str = "the text of this file is not shown: the file is outside the folder of the scene";
 
-/// The line in which the place is, with a caret below it.
+/// Renders the message with the line of the location and a caret below it.
 #[cfg(feature = "cli")]
 fn picture(
     title: &str,
@@ -85,7 +85,7 @@ fn picture(
 ) -> String {
     use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 
-    /// Lines that are longer get no picture \[bytes\]: nobody would see the caret.
+    /// Lines longer than this are not printed \[bytes\]: the caret would not be visible.
     const LONGEST_LINE: usize = 4000;
 
     fn note<'a>(group: Group<'a>, text: Option<String>) -> Group<'a> {
@@ -119,7 +119,7 @@ fn picture(
     renderer.render(&[group])
 }
 
-/// Where the place is, in numbers.
+/// Renders the message with the location in numbers.
 #[cfg(not(feature = "cli"))]
 fn picture(title: &str, file: &str, place: Option<&Place>, [expected, help]: [Option<String>; 2], _: bool) -> String {
     let place = place.map_or_else(String::new, |place| format!(":{}:{}", place.line, place.column));
@@ -137,7 +137,7 @@ impl fmt::Display for FileError {
 impl std::error::Error for FileError {}
 
 impl Place {
-    /// The line in which `span` starts, with what of it lies in `span`.
+    /// The line in which `span` starts, and the part of the line inside `span`.
     fn of(text: &str, span: Span) -> Self {
         let start = floor_char_boundary(text, span.start);
         let end = floor_char_boundary(text, span.end).max(start);
@@ -156,18 +156,18 @@ impl Place {
     }
 }
 
-/// U+0080 to U+009F, which a terminal may obey and the renderer passes on. What stands in their place has as many bytes, so
-/// that places in the line remain.
+/// U+0080 to U+009F, which can control a terminal and which the renderer does not remove. The replacement has the same number of
+/// bytes, so that locations in the line stay valid.
 fn is_c1(c: char) -> bool {
     ('\u{80}'..='\u{9f}').contains(&c)
 }
 
-/// The last boundary between characters at or before byte `at`.
+/// The last character boundary at or before byte `at`.
 fn floor_char_boundary(text: &str, at: usize) -> usize {
     (0..=at.min(text.len())).rev().find(|&i| text.is_char_boundary(i)).unwrap_or(0)
 }
 
-/// `text` with characters escaped that a terminal obeys.
+/// `text` with escaped terminal control characters.
 fn printable(text: &str) -> String {
     text.chars()
         .map(|c| if c.is_control() || is_forbidden(c) { c.escape_default().to_string() } else { c.to_string() })

@@ -1,17 +1,17 @@
-//! Contact forces as CSV, `x,force`, one force in each row, laid out like a survey.
+//! Contact forces as CSV, `x,force`, one force per row, in the layout of a survey.
 
 use super::survey::Survey;
 use super::{FileError, Found, Problem};
 
 const FIELDS: [&str; 2] = ["x", "force"];
 
-/// Reads contact forces for a beam of some length: `(x, force)` in the order of the file, forces positive upwards.
+/// Reads contact forces for a beam of the given length: `(x, force)` in the order of the file, forces positive upwards.
 ///
-/// `name` is the file as messages call it, `text` its contents.
+/// `name` is the name of the file for messages and `text` its contents.
 ///
 /// # Errors
 ///
-/// Text that is not such a file, numbers that are not finite, and places that are not on the beam, all with line and column.
+/// Text in another format, numbers that are not finite, and positions outside the beam, all with line and column.
 pub fn parse_forces(name: &str, text: &str, length: f64) -> Result<Vec<(f64, f64)>, Box<FileError>> {
     let file = Survey::new(name.to_owned(), text.to_owned());
     let (layout, mut rows) = (file.layout(), file.rows());

@@ -1,12 +1,13 @@
-//! What to write instead of keys that people write, as other programs have them.
+//! Suggestions for keys that users of other programs write: the equivalent key of a scene file.
 
-/// Keys that mean the same in one kind of table, and what to write instead.
+/// Keys with the same meaning in one kind of table, and the suggestion for them.
 struct Instead {
     /// Path of the table without indices, for example `load.point[]`.
     table: &'static str,
-    /// The keys, in small letters.
+    /// The keys in lower case.
     keys: &'static [&'static str],
-    /// A key with what to write; the first whose key the table knows. One without a key always fits.
+    /// Known keys, each with a suggestion. The first suggestion whose key the table accepts is printed. An empty key is always
+    /// accepted.
     write: &'static [(&'static str, &'static str)],
 }
 
@@ -182,7 +183,7 @@ const INSTEAD: &[Instead] = &[
     },
 ];
 
-/// What to write instead of `key` in the table with this path, which knows these keys.
+/// The suggestion for `key` in the table with this path, which accepts the keys `known`.
 pub(super) fn instead(key: &str, table: &str, known: &[&str]) -> Option<&'static str> {
     let path = without_indices(table);
     let key = key.to_lowercase();
@@ -190,7 +191,7 @@ pub(super) fn instead(key: &str, table: &str, known: &[&str]) -> Option<&'static
     found.write.iter().find(|(real, _)| real.is_empty() || known.contains(real)).map(|(_, text)| *text)
 }
 
-/// `load.point[]` of `load.point[2]`.
+/// The path without indices, for example `load.point[]` for `load.point[2]`.
 fn without_indices(path: &str) -> String {
     path.chars().filter(|c| !c.is_ascii_digit()).collect()
 }
@@ -200,7 +201,7 @@ mod tests {
     use super::*;
     use crate::scene::file::{ReadProblem, parse};
 
-    /// A scene with this key, and a value that is never looked at, in a table.
+    /// A scene with this key in a table; the value is never read.
     fn scene(table: &str, key: &str) -> String {
         let key = format!("{key} = 0");
         match table {
@@ -216,7 +217,7 @@ mod tests {
         }
     }
 
-    /// Each of these keys is answered with what to write, in small and in capital letters, and no known key is among them.
+    /// Each of these keys leads to its suggestion, in lower and upper case, and none of them is a known key.
     #[test]
     fn keys_of_other_programs_are_answered_with_what_to_write() {
         let mut asked = 0;

@@ -1,4 +1,4 @@
-//! Where in the file the number is that a [`SceneError`] is about.
+//! Finds the location in the file of the number to which a [`SceneError`] refers.
 
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -18,7 +18,7 @@ pub(super) struct Located<'a> {
 }
 
 impl Located<'_> {
-    /// `error` with its place.
+    /// `error` with its location.
     pub(super) fn error(&self, error: SceneError) -> Box<FileError> {
         let at_support = self.at_support(&error);
         for (profile, survey) in self.surveys.iter().filter(|_| at_support.is_none()) {
@@ -32,7 +32,7 @@ impl Located<'_> {
         self.source.error(span, Problem::Scene { error, quantity: None })
     }
 
-    /// The support that an error is about, where supports are given.
+    /// The support to which an error refers, if the file lists supports.
     fn at_support(&self, error: &SceneError) -> Option<Span> {
         let (SceneError::AboveSupport { at, .. }
         | SceneError::BearingInGround { at, .. }
@@ -65,7 +65,7 @@ impl Located<'_> {
                 self.find(&format!("{}.{}", of.path(), self.kind(of.path())?))
             }
             (_, Quantity::Supports) => self.find("beam.supports").or_else(|| self.find("beam")),
-            // Displayed, a quantity is its path.
+            // The text of a quantity is its path.
             (_, quantity) => self.find(&quantity.to_string()),
         }
     }
@@ -78,7 +78,7 @@ impl Located<'_> {
         self.document.get("foundation")?.get_ref().get("points")?.get_ref().as_array().map(|points| points.len())
     }
 
-    /// Follows a path such as `load.point[2].at`.
+    /// The location of a value with a path such as `load.point[2].at`.
     fn find(&self, path: &str) -> Option<Span> {
         let mut steps = path.split(['.', '[']).map(|step| step.trim_end_matches(']'));
         let mut value = self.document.get(steps.next()?)?;
@@ -97,7 +97,7 @@ fn child<'a>(value: &'a Spanned<DeValue<'a>>, step: &str) -> Option<&'a Spanned<
     }
 }
 
-/// Name and place in the survey of a profile, for errors that are about a point of it.
+/// For errors that refer to a point of a profile: the name of the number in the survey, and its location.
 fn in_survey(survey: &Survey, profile: Profile, error: &SceneError) -> Option<(Option<&'static str>, Span)> {
     let field = |index, axis| {
         let (name, span) = survey.place(index, axis);

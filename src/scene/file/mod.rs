@@ -1,11 +1,11 @@
-//! Scene files: text → [`Scene`], or an error that points at the place in the file.
+//! Scene files: reads text into a [`Scene`], or returns an error with its location in the file.
 //!
-//! The file is TOML. Its tables are read key by key and not through serde's derive: serde takes an array where a table
-//! is meant (`beam = [10, 1.3]`), and its messages would have to be taken apart again to name quantity, value and what
-//! is expected. The *numbers* are checked by [`Beam::new`], [`Load::new`], [`Foundation::checked`] and [`Scene::scaled`] alone; here
-//! their errors get a place in the file.
+//! The file is TOML. Its tables are read key by key instead of with serde's derive. Serde accepts an array in place of a table
+//! (`beam = [10, 1.3]`), and its messages would have to be parsed to name quantity, value and requirement. The *numbers* are
+//! checked only by the functions that create a scene ([`Beam::new`], [`Load::new`], [`Foundation::checked`], [`Scene::scaled`]);
+//! this module adds the location in the file to their errors.
 //!
-//! Nothing here opens a file: the caller passes the text, and a function that reads a survey.
+//! This module opens no file: the caller passes the text, and a function that reads a survey.
 
 mod body;
 mod columns;
@@ -37,13 +37,13 @@ use super::{Beam, Foundation, Load, Profile, Scene, SceneError};
 
 /// Reads a scene file.
 ///
-/// `name` is the file as messages call it, `text` its contents. `read_survey` is called with the text of the key
-/// `foundation.survey`, as it is written there, and returns what is in that file; so it is with `beam.shape.survey`.
+/// `name` is the name of the file for messages and `text` its contents. `read_survey` receives the value of the key
+/// `foundation.survey` or `beam.shape.survey` as written in the file, and returns the contents of the survey.
 ///
 /// # Errors
 ///
-/// Text that is no TOML, keys that are unknown, missing, twice there or of a wrong type, a survey that is none, and every
-/// [`SceneError`], all with line and column, those of [`Scene::scaled`] included.
+/// Text that is not TOML; keys that are unknown, missing, duplicate or of a wrong type; an invalid survey; and every
+/// [`SceneError`], including those of [`Scene::scaled`]. The location in the file is included.
 pub fn parse(
     name: &str,
     text: &str,
@@ -53,16 +53,16 @@ pub fn parse(
     parse_beam(source, &source.document()?, &mut read_survey, false)
 }
 
-/// Reads a scene file with a beam or with a [body](crate::body); what is beside it is read by `beside`.
+/// Reads a scene file with a beam or with a [body](crate::body). `beside` reads the files that it names.
 ///
 /// # Errors
 ///
-/// Those of [`parse`], and what is wrong with the files of a body.
+/// Those of [`parse`], and errors in the files of a body.
 pub fn parse_model(name: &str, text: &str, beside: &mut dyn Beside) -> Result<Model, Box<FileError>> {
     model(name, text, beside, false)
 }
 
-/// Reads a scene file for a sweep: point loads may lie beyond the beam, where they are none ([`Scene::loads_beyond`]).
+/// Reads a scene file for a sweep: point loads may be located beyond the beam, where they do not act ([`Scene::loads_beyond`]).
 ///
 /// # Errors
 ///
@@ -111,7 +111,7 @@ fn parse_beam(
     Ok(scene.labelled(contents.title, contents.units).with_loads_beyond(beyond))
 }
 
-/// A file as messages need it: what it is called and what is in it.
+/// A file for messages: its name and its contents.
 #[derive(Debug, Clone, Copy)]
 struct Source<'a> {
     name: &'a str,
@@ -134,7 +134,7 @@ impl<'a> Source<'a> {
         let end = self.text.len();
         let span = error.span().unwrap_or(end..end);
         let problem = match (error.message(), self.text.get(span.clone())) {
-            // The one error of meaning that the TOML parser finds; it leaves the key to the picture.
+            // The only semantic error that the TOML parser reports; its message does not contain the key.
             ("duplicate key", Some(key)) => Problem::KeyTwice { key: key.to_owned() },
             (message, _) => Problem::Syntax { message: message.trim_end_matches(", expected nothing").to_owned() },
         };

@@ -1,4 +1,4 @@
-//! What can be wrong with a scene file or a survey, besides what it describes.
+//! Errors in a scene file or a survey, apart from errors in the numbers of the scene.
 
 use std::fmt;
 
@@ -8,52 +8,52 @@ use crate::body::BodyProblem;
 use crate::scene::written::against;
 use crate::scene::{Profile, SceneError};
 
-/// Why a file could not be read as text: the error of the function that the caller passes for reading.
+/// The reason why a file could not be read as text. The function that the caller passes for reading returns it.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum ReadProblem {
-    /// There is no such file.
+    /// The file does not exist.
     #[error("there is no such file")]
     Missing,
-    /// It is a directory.
+    /// The path is a directory.
     #[error("it is a directory, not a file")]
     Directory,
-    /// It is a named pipe.
+    /// The path is a named pipe.
     #[error("it is a named pipe, which may wait forever; standard input is `-`")]
     NamedPipe,
-    /// It is a device, a pipe or a socket, and the scene file names it.
+    /// The scene file names a device, a pipe or a socket.
     #[error("it is not a regular file; a scene can name only regular files")]
     NotRegular,
-    /// The operating system refused.
+    /// The operating system returned an error.
     #[error("it cannot be read ({reason})")]
     Refused {
-        /// In the words of the operating system.
+        /// The message of the operating system.
         reason: String,
     },
-    /// It is larger than any file of this kind should be.
+    /// The file exceeds the limit for files of this kind.
     #[error("it is larger than {limit} bytes, the most that is read")]
     TooLarge {
-        /// The limit.
+        /// The limit in bytes.
         limit: u64,
     },
-    /// A line that no file of this kind has.
+    /// A line exceeds the limit for files of this kind.
     #[error("line {line} is longer than {limit} bytes, the most that is read")]
     LongLine {
-        /// Which line, from 1.
+        /// The line, from 1.
         line: usize,
-        /// The limit.
+        /// The limit in bytes.
         limit: u64,
     },
-    /// It is not text in UTF-8, perhaps not text at all.
+    /// The file is not UTF-8 text.
     #[error("it is not a text file: the byte at line {line}, column {column} is not UTF-8")]
     NotText {
         /// Line of the first byte that is not UTF-8, from 1.
         line: usize,
-        /// Its column, in characters, from 1.
+        /// Column of this byte, in characters, from 1.
         column: usize,
     },
 }
 
-/// What is wrong with a file.
+/// An error in a file.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Problem {
     /// The scene file could not be read.
@@ -62,82 +62,82 @@ pub enum Problem {
     /// The survey could not be read.
     #[error("cannot read the survey {:?}: {problem}", excerpt(path))]
     UnreadableSurvey {
-        /// As the scene file has it.
+        /// The path as written in the scene file.
         path: String,
-        /// Why not.
+        /// The reason.
         problem: ReadProblem,
     },
     /// A file of contact forces could not be read.
     #[error("cannot read the contact forces: {0}")]
     UnreadableForces(ReadProblem),
-    /// A file without a single byte.
+    /// The file is empty.
     #[error("the file is empty")]
     Empty,
-    /// Not TOML.
+    /// The text is not TOML.
     #[error("not valid TOML: {message}")]
     Syntax {
-        /// In the words of the TOML parser, which also says what it expected.
+        /// The message of the TOML parser, which also says what it expected.
         message: String,
     },
-    /// A key or a table for the second time.
+    /// A duplicate key or table.
     #[error("the key `{}` is there twice", excerpt(key))]
     KeyTwice {
         /// The key.
         key: String,
     },
-    /// A key that means nothing here.
+    /// A key that is not allowed in this table.
     #[error("unknown key {:?} {}", excerpt(key), in_table(table))]
     UnknownKey {
         /// The key.
         key: String,
-        /// Path of the table that it is in.
+        /// Path of the table that contains it.
         table: String,
-        /// What could be there.
+        /// The keys that are allowed.
         known: &'static [&'static str],
     },
-    /// A key that has to be there.
+    /// A required key is missing.
     #[error("the key `{key}` is missing {}", in_table(table))]
     MissingKey {
         /// The key.
         key: String,
-        /// Path of the table that it is missing in.
+        /// Path of the table in which it is missing.
         table: String,
-        /// What kind of value it takes.
+        /// The kind of value that the key needs.
         expected: &'static str,
     },
-    /// A value of another type.
+    /// A value of the wrong type.
     #[error("`{path}` must be {expected}, but is {found}")]
     WrongType {
         /// Path of the value.
         path: String,
-        /// What is there.
+        /// The value in the file.
         found: String,
-        /// What should be.
+        /// The required value.
         expected: &'static str,
     },
-    /// A number that no `f64` can hold.
+    /// A number outside the range of `f64`.
     #[error("`{path}` is beyond the range of 64-bit floating point")]
     BeyondRange {
         /// Path of the number.
         path: String,
     },
-    /// A table of a profile without one.
+    /// The table of a profile has no key that gives the profile.
     #[error("{} has none of the keys {}", table_of(*of), list(known))]
     NoProfileKind {
-        /// Which profile.
+        /// The profile.
         of: Profile,
-        /// What could be there.
+        /// The keys that give a profile.
         known: &'static [&'static str],
     },
-    /// A table of a profile with more than one.
+    /// The table of a profile has more than one key that gives the profile.
     #[error("{} has {} keys that each give {of}: {}", table_of(*of), found.len(), list(found))]
     SeveralProfileKinds {
-        /// Which profile.
+        /// The profile.
         of: Profile,
-        /// What is there.
+        /// The keys in the file.
         found: Vec<&'static str>,
     },
-    /// The slope of a support that holds none.
+    /// A slope of a support that does not restrain rotation.
     #[error(
         "`{path}` must not be there: a support holds a slope only with `built_in = true` or with `turning_stiffness`"
     )]
@@ -145,15 +145,15 @@ pub enum Problem {
         /// Path of the slope.
         path: String,
     },
-    /// A support in which the beam is built in and that only pushes.
+    /// A compression-only support with a key that restrains rotation.
     #[error(
         "`{path}` must not be there: a support that only pushes lets the beam turn and lift off, and holds no slope"
     )]
     PushesBuiltIn {
-        /// Path of the key that asks for more.
+        /// Path of that key.
         path: String,
     },
-    /// A support in which the beam is built in and that gives.
+    /// A built-in support that is also elastic.
     #[error(
         "`{path}` must not be there: a support with `built_in = true` holds level and slope, and gives nothing; one that is held by \
          springs has `stiffness`, `turning_stiffness` or both, without `built_in`"
@@ -162,75 +162,75 @@ pub enum Problem {
         /// Path of the stiffness.
         path: String,
     },
-    /// The numbers of the file make no scene. In a survey, `quantity` says how the survey calls the number.
+    /// The numbers of the file are not a valid scene. In a survey, `quantity` is the name of the number.
     #[error("{}", in_words_of_the_file(error, *quantity))]
     Scene {
-        /// Why not.
+        /// The error of the scene.
         error: SceneError,
         /// `x` or `depth` in a survey.
         quantity: Option<&'static str>,
     },
-    /// A body is none.
+    /// An error in a body.
     #[error(transparent)]
     Body(#[from] BodyProblem),
-    /// A survey is none.
+    /// An error in a survey.
     #[error(transparent)]
     Survey(#[from] SurveyProblem),
-    /// Contact forces without their header.
+    /// Contact forces without the required header.
     #[error("contact forces must begin with the header `x,force`, but begin with {found}")]
     ForcesHeader {
-        /// What is there.
+        /// The first row of the file.
         found: Found,
     },
-    /// A file of contact forces without anything in it.
+    /// A file of contact forces without any row.
     #[error("the file of contact forces has neither header nor forces")]
     ForcesWithoutHeader,
-    /// A row that is not a force.
+    /// A row that does not have the two fields of a force.
     #[error("a row of contact forces must have 2 fields, x and force, but this one has {found}")]
     ForcesFields {
-        /// How many it has.
+        /// The number of fields.
         found: usize,
     },
-    /// A force that does not act on the beam.
+    /// A force outside the beam.
     #[error("`x` must lie on the beam, between 0 and {}, but is {}", against(*length, *x), against(*x, *length))]
     ForceOutsideBeam {
-        /// Where it acts.
+        /// Its position.
         x: f64,
         /// Length of the beam.
         length: f64,
     },
-    /// A field of a survey, or of contact forces, that is not a number.
+    /// A field of a survey or of contact forces that is not a finite number.
     #[error("`{quantity}` must be a finite number, but is {found}")]
     SurveyNumber {
         /// `x`, `depth` or `force`.
         quantity: &'static str,
-        /// What is there.
+        /// The text of the field.
         found: Found,
     },
-    /// A decimal point in a file that has decimal commas, or the other way round.
+    /// A decimal point in a file with decimal commas, or vice versa.
     #[error("`{quantity}` is {found}, but other numbers of this file have a decimal {}", if *mark == ',' { "comma" } else { "point" })]
     BothDecimalMarks {
-        /// The mark of the others, a comma or a point.
+        /// The decimal mark of the other numbers, a comma or a point.
         mark: char,
         /// `x`, `depth` or `force`.
         quantity: &'static str,
-        /// What is there.
+        /// The text of the field.
         found: Found,
     },
-    /// A character that would make a figure unreadable, or its text another one than is written.
+    /// A character that would make a figure invalid, or would make its text look different from the text written.
     #[error("`{path}` must not have the character U+{:04X}, its character {place}: {}", u32::from(*character), why_forbidden(*character))]
     ForbiddenCharacter {
         /// Path of the text.
         path: String,
-        /// Which character.
+        /// The character.
         character: char,
-        /// Which of the characters of the text it is, from 1.
+        /// Its position in the text, in characters, from 1.
         place: usize,
     },
 }
 
-/// Characters of the text of a figure that are refused: noncharacters are not allowed in XML 1.0, and controls of the direction
-/// of writing make a text look as if it were another.
+/// Characters that are not allowed in the text of a figure. Noncharacters are not allowed in XML 1.0, and bidirectional controls
+/// can make a text look like another one.
 pub(super) fn is_forbidden(character: char) -> bool {
     matches!(character, '\u{fffe}' | '\u{ffff}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
@@ -243,7 +243,7 @@ fn why_forbidden(character: char) -> &'static str {
 }
 
 impl Problem {
-    /// The same problem; the message repeats no text of the file.
+    /// The same problem with a message that contains no text of the file.
     pub(super) fn without_text(mut self) -> Self {
         match &mut self {
             Self::ForcesHeader { found } | Self::SurveyNumber { found, .. } | Self::BothDecimalMarks { found, .. } => {
@@ -256,7 +256,7 @@ impl Problem {
         self
     }
 
-    /// What to do instead, of mistakes that are made often.
+    /// The remedy for frequent mistakes.
     #[must_use]
     pub fn help(&self) -> Option<String> {
         match self {
@@ -266,7 +266,7 @@ impl Problem {
         }
     }
 
-    /// What is expected at the place that the message points at, where the message does not say it yet.
+    /// The value expected at the marked location, if the message does not name it yet.
     #[must_use]
     pub(crate) fn expected(&self) -> Option<String> {
         match self {
@@ -303,7 +303,7 @@ fn in_table(path: &str) -> String {
     if path.is_empty() { "in the scene".to_owned() } else { format!("in `{path}`") }
 }
 
-/// The table of a profile, as a message calls it.
+/// The name of the table of a profile in messages.
 fn table_of(profile: Profile) -> &'static str {
     match profile {
         Profile::Foundation => "[foundation]",
@@ -316,7 +316,7 @@ pub(super) fn list(keys: &[&str]) -> String {
     keys.join(", ")
 }
 
-/// The message of a [`SceneError`], with the name that a number has in a survey where it comes from one.
+/// The message of a [`SceneError`]. A number from a survey is called by its name in the survey.
 fn in_words_of_the_file(error: &SceneError, quantity: Option<&'static str>) -> String {
     let message = error.to_string();
     match (error.quantity(), quantity) {
@@ -325,12 +325,12 @@ fn in_words_of_the_file(error: &SceneError, quantity: Option<&'static str>) -> S
     }
 }
 
-/// What a file has in the place of what is expected, as a message repeats it.
+/// The text found in a file in place of the expected text, as a message prints it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Found {
     /// The beginning of the text.
     Text(String),
-    /// Text of a file whose text no message repeats.
+    /// Text of a file whose contents must not be printed.
     NotShown,
 }
 
@@ -350,9 +350,9 @@ impl fmt::Display for Found {
     }
 }
 
-/// A field, or a key, as a message repeats it.
+/// A field or a key, shortened for messages.
 pub(super) fn excerpt(text: &str) -> String {
-    /// Characters, so that a message stays on a line of a terminal or two.
+    /// Greatest number of characters, so that a message fits on one or two lines of a terminal.
     const LONGEST: usize = 60;
     match text.char_indices().nth(LONGEST) {
         Some((end, _)) => format!("{}…", &text[..end]),

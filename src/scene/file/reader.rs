@@ -1,4 +1,4 @@
-//! A survey whose columns are declared: where its header is, and its rows as points.
+//! Reads a survey with declared columns: finds the header and converts the rows to points.
 
 use std::cell::Cell;
 
@@ -7,28 +7,28 @@ use super::survey::{Field, Layout, Survey};
 use super::survey_problem::SurveyProblem;
 use super::{FileError, Found};
 
-/// Rows that may stand before the header: titles, the name of an instrument, a date.
+/// Greatest number of rows before the header: titles, the name of an instrument, a date.
 const MOST_BEFORE_HEADER: usize = 50;
 
-/// A survey with the places of its columns.
+/// A survey with the locations of its declared columns.
 #[derive(Debug)]
 pub(super) struct Reader<'a> {
     survey: &'a Survey,
     columns: &'a Columns,
     layout: Layout,
-    /// Rows up to the header, and columns of x and of the value, from 0.
+    /// Number of rows up to and including the header. `places` are the columns of x and of the value, from 0.
     behind: usize,
     places: [usize; 2],
-    /// Fields of the header, or of the first row.
+    /// Number of fields in the header, or in the first row without a header.
     width: usize,
-    /// Origin and datum of the columns.
+    /// Origin and datum of the declaration.
     origin: Option<Decimal>,
     datum: Option<Decimal>,
-    /// Lengths between stations.
+    /// Distance between stations, once a row has shown it.
     station: Cell<Option<f64>>,
 }
 
-/// A row with a value: its fields, and where all of it is.
+/// A row with a value: its two fields, and the location of the whole row.
 struct Row<'a> {
     fields: [Field<'a>; 2],
     whole: std::ops::Range<usize>,
@@ -47,7 +47,7 @@ impl<'a> Reader<'a> {
         if let (Column::Number(x), Column::Number(value)) = (&columns.x, &columns.value) {
             let separator = survey.separator(first);
             let places = [x - 1, value - 1];
-            // What is said of a header does not count.
+            // The trial has a layout of its own, so that the decimal mark and the stations of a header have no effect.
             let trial = reader(Layout::of(separator), first, 0, places);
             let is_no_number =
                 |[x, value]: [Field<'_>; 2]| trial.length(x).is_err() && trial.layout.number(value.0).is_err();
@@ -91,7 +91,7 @@ impl<'a> Reader<'a> {
         Ok(points)
     }
 
-    /// The rows with a value, in the order of the points, with errors left out: where a point is in the file.
+    /// The rows with a value, in the order of the points and without invalid rows: the locations of the points in the file.
     pub(super) fn places(&self) -> Vec<([Field<'a>; 2], std::ops::Range<usize>)> {
         let rows = self.rows().filter_map(Result::ok);
         let mut places: Vec<_> = rows.map(|row| (row.fields, row.whole)).collect();
@@ -121,7 +121,7 @@ impl<'a> Reader<'a> {
         })
     }
 
-    /// The two fields of a row, if it has so many.
+    /// The two declared fields of a row, if it has enough fields.
     fn fields(&self, row: &'a str, start: usize) -> Option<[Field<'a>; 2]> {
         let [x, value] = self.places;
         let mut fields = self.layout.fields(row, start);
@@ -134,22 +134,22 @@ impl<'a> Reader<'a> {
         Some(if x < value { [first, second] } else { [second, first] })
     }
 
-    /// Whether a row parted by commas has more fields than the header: some of its commas may be decimal marks.
+    /// Whether a row separated by commas has more fields than the header; some of the commas may be decimal marks.
     fn is_wide(&self, row: &str) -> bool {
-        // Most rows have no more commas than the header.
+        // Most rows have no more commas than the header, and need no further check.
         self.layout.separator == ','
             && self.width <= row.bytes().filter(|byte| *byte == b',').count()
             && self.layout.fields(row, 0).skip(self.width).any(|(text, _)| !text.is_empty())
     }
 
-    /// Whether a row has no value: a mark in its place, or nothing at all in both.
+    /// Whether a row has no value: the value is the marker of missing data, or both fields are empty.
     fn is_missing(&self, [x, value]: &[Field<'_>; 2]) -> bool {
         let mark = self.columns.no_data.as_ref();
         let number = |text: &str| Layout::of(self.layout.separator).number(text).ok().map(|number| number.value);
         x.0.is_empty() && value.0.is_empty() || mark.is_some_and(|mark| mark.is(value.0, number))
     }
 
-    /// The place on the beam \[length\].
+    /// The position on the beam \[length\].
     fn at(&self, x: Field<'_>) -> Result<f64, Box<FileError>> {
         let x = self.length(x)?;
         Ok(match self.origin {
@@ -169,7 +169,7 @@ impl<'a> Reader<'a> {
 }
 
 impl Reader<'_> {
-    /// A place along the survey: a number, or a station such as `12+34.5`.
+    /// A position along the survey: a number, or a station such as `12+34.5`.
     fn length(&self, (text, span): Field<'_>) -> Result<Decimal, Box<FileError>> {
         let Some((negative, head, tail)) = station(text) else {
             return self.survey.decimal(&self.layout, "x", (text, span));
@@ -178,7 +178,7 @@ impl Reader<'_> {
         let rest = self.survey.decimal(&self.layout, "x", (tail, span.clone()))?;
         let stations: f64 = head.parse().map_err(|_| unclear())?;
         let mut x = rest;
-        // Within the first of them it does not matter how long they are.
+        // Before the first station the distance between stations has no effect.
         if 0.0 < stations {
             let length = match tail.split(['.', ',']).next().unwrap_or_default().len() {
                 2 => 100.0,
@@ -194,7 +194,7 @@ impl Reader<'_> {
     }
 }
 
-/// Sign, stations and what lies behind the last of them.
+/// The sign, the station number and the part after the `+`.
 fn station(text: &str) -> Option<(bool, &str, &str)> {
     let (negative, digits) = text.strip_prefix('-').map_or((false, text), |rest| (true, rest));
     let (head, tail) = digits.split_once('+')?;
@@ -215,10 +215,11 @@ fn is_twice(column: &Column, names: &[&str]) -> bool {
     matches!(column, Column::Name(name) if 1 < names.iter().filter(|other| *other == name).count())
 }
 
-/// Points of a survey on a beam of some length: a first or a last place that is the end but for rounding is the end, and of a survey that
-/// has an origin what lies beyond the beam is left out. Also how many points in front were left out.
+/// The points of a survey on a beam of the given length. A first or last position that equals an end of the beam within rounding
+/// is moved to it. If the survey has an origin (`is_cut`), the points beyond the beam are removed. Also returns the number of
+/// points removed at the left end.
 pub(super) fn on_beam(mut points: Vec<[f64; 2]>, length: f64, is_cut: bool) -> (Vec<[f64; 2]>, usize) {
-    /// A part of the beam: places have some ten digits.
+    /// Fraction of the beam length; positions have about ten digits.
     const AT_END: f64 = 1e-9;
     let near = |x: f64, end: f64| (x - end).abs() <= AT_END * length.abs();
     points.iter_mut().take_while(|point| near(point[0], 0.0)).for_each(|point| point[0] = 0.0);
@@ -242,12 +243,12 @@ pub(super) fn on_beam(mut points: Vec<[f64; 2]>, length: f64, is_cut: bool) -> (
     (points, start)
 }
 
-/// The point at x on the line through two others.
+/// The point at x on the line through two points.
 fn between([a, u]: [f64; 2], [b, v]: [f64; 2], x: f64) -> [f64; 2] {
     [x, u + (v - u) * ((x - a) / (b - a))]
 }
 
-/// A number with its decimal places, where it is written without a power of ten.
+/// A number with its count of decimal places, if it is written without a power of ten.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Decimal {
     pub(super) value: f64,
@@ -255,7 +256,7 @@ pub(super) struct Decimal {
 }
 
 impl Decimal {
-    /// A number of the scene file, as it is written there.
+    /// A number of the scene file, with the decimal places of its shortest text.
     fn of(value: f64) -> Self {
         let text = value.to_string();
         Self { value, places: Some(text.split_once('.').map_or(0, |(_, places)| places.len())) }
@@ -265,12 +266,12 @@ impl Decimal {
         Self { value: -self.value + 0.0, ..self }
     }
 
-    /// The difference of two decimals, which has no more places than these: a survey of elevations has the depths that a survey of depths
-    /// would have, to the last bit.
+    /// The difference of two decimal numbers, rounded to the larger number of decimal places. A survey of elevations thus has the
+    /// same depths as a survey of depths, to the last bit.
     fn minus(self, other: Self) -> Self {
-        /// Powers of ten, exact as numbers.
+        /// Powers of ten that are exact in floating point.
         const POWERS: [f64; 10] = [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9];
-        /// Below this, whole numbers and their halves are exact.
+        /// Integers and half-integers below this limit are exact.
         const EXACT: f64 = (1_u64 << 51) as f64;
         let value = self.value - other.value;
         let places = self.places.zip(other.places).map(|(a, b)| a.max(b));

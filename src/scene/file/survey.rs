@@ -1,11 +1,12 @@
-//! A table as CSV, with the place of each field. A survey is one: by itself with the header `x,depth` and one point in each row, and
-//! else as the scene file [declares its columns](super::columns).
+//! A CSV table with the location of each field. A survey is such a table, either with the header `x,depth` and one point per row,
+//! or with columns that the scene file [declares](super::columns).
 //!
-//! Blank lines and lines that start with `#` are left out, spaces round a field are trimmed, fields may be quoted, a byte order mark and
-//! line ends of Windows and of old Macs are accepted. A library for CSV would give the place of a row, and messages point at a field.
+//! Blank lines and lines that start with `#` are skipped, and spaces around a field are trimmed. Fields may be quoted. A byte
+//! order mark and the line ends of Windows and of old Macs are accepted. A CSV library would give only the location of a row, but
+//! messages need the location of a field.
 //!
-//! Where a comma is the decimal mark, spreadsheets part the fields by `;`, and say so in a first line `sep=;`, or they quote them. One file
-//! has one decimal mark: a point beside commas could part thousands.
+//! Spreadsheets with decimal commas separate the fields by `;` and may declare this in a first line `sep=;`, or they quote the
+//! fields. A file has only one decimal mark, because a point next to decimal commas could separate thousands.
 
 use std::cell::Cell;
 use std::path::Path;
@@ -19,30 +20,30 @@ use crate::memory::can_be_had;
 
 const FIELDS: [&str; 2] = ["x", "depth"];
 
-/// What may part fields, the surest first: a comma may also be a decimal mark.
+/// Possible field separators in order of preference; a comma may also be a decimal mark.
 const SEPARATORS: [char; 3] = [';', '\t', ','];
 
-/// A table as a file.
+/// A table in a file.
 #[derive(Debug)]
 pub(super) struct Survey {
     pub(super) name: String,
     pub(super) text: String,
-    /// The name of the file in the scene.
+    /// The name of the file in the scene file.
     path: String,
-    /// Of a survey whose columns are declared.
+    /// The declared columns, if there is a declaration.
     columns: Option<Columns>,
-    /// Points in front of the beam, which were left out.
+    /// The number of points that were removed at the left end because they are beyond the beam.
     left_out: usize,
 }
 
-/// A field of a row: its text, trimmed and without quotes, and where it is.
+/// A field of a row: its text, trimmed and without quotes, and its location.
 pub(super) type Field<'a> = (&'a str, Span);
 
-/// How the rows of a file are written.
+/// The format of the rows of a file.
 #[derive(Debug)]
 pub(super) struct Layout {
     pub(super) separator: char,
-    /// The decimal mark, when one was met.
+    /// The decimal mark, once a number has shown it.
     mark: Cell<Option<char>>,
 }
 
@@ -56,8 +57,8 @@ impl Layout {
         Fields { row, start, next: Some(0), separator: self.separator }
     }
 
-    /// A finite number; else the decimal mark that others have, if that is what is wrong. `1e999` parses as infinity, `nan` and `inf` as
-    /// what they say: none of them is a level or a force.
+    /// Parses a finite number. The error is the decimal mark of the other numbers if this one uses another mark. `1e999`, which
+    /// parses as infinity, and `nan` and `inf` are rejected: none of them is a level or a force.
     pub(super) fn number(&self, text: &str) -> Result<Decimal, Option<char>> {
         let mark = text.bytes().position(|byte| matches!(byte, b'.' | b','));
         let mark = mark.map(|at| (at, char::from(text.as_bytes()[at])));
@@ -82,17 +83,17 @@ impl Layout {
 }
 
 impl Survey {
-    /// Any table.
+    /// A table without declared columns.
     pub(super) fn new(name: String, text: String) -> Self {
         Self { name, text, path: String::new(), columns: None, left_out: 0 }
     }
 
-    /// A survey that the scene file `scene` names.
+    /// The survey that the scene file `scene` names.
     pub(super) fn named(scene: &str, Named { path, columns, .. }: Named, text: String) -> Self {
         Self { name: beside(scene, &path), text, path, columns, left_out: 0 }
     }
 
-    /// The points on a beam of some length.
+    /// The points on a beam of the given length.
     pub(super) fn points_on_beam(&mut self, length: f64) -> Result<Vec<[f64; 2]>, Box<FileError>> {
         let is_cut = self.columns.as_ref().is_some_and(|columns| columns.origin.is_some());
         let (points, left_out) = on_beam(self.points()?, length, is_cut);
@@ -100,7 +101,7 @@ impl Survey {
         Ok(points)
     }
 
-    /// The points, as many as the file has: whether they make a polyline is for the scene to judge.
+    /// All points of the file. Whether they form a valid polyline is checked by the scene.
     fn points(&self) -> Result<Vec<[f64; 2]>, Box<FileError>> {
         if let Some(columns) = &self.columns {
             return Reader::of(self, columns)?.points();
@@ -125,24 +126,24 @@ impl Survey {
         Ok([self.number(layout, FIELDS[0], x)?, self.number(layout, FIELDS[1], depth)?])
     }
 
-    /// The layout of the file, by its first row.
+    /// The layout of the file, derived from its first row.
     pub(super) fn layout(&self) -> Layout {
         Layout::of(self.separator(self.rows().next().map_or("", |(header, _)| header)))
     }
 
-    /// What parts the fields of a row, if it is the first.
+    /// The separator of the fields if `first` is the first row.
     pub(super) fn separator(&self, first: &str) -> char {
         let separators = self.separators();
         let used = separators.iter().find(|separator| 1 < Layout::of(**separator).fields(first, 0).count());
         used.or(separators.last()).copied().unwrap_or(',')
     }
 
-    /// What may part the fields: what a first line `sep=;` says, if there is one.
+    /// The possible field separators; only the declared one if the first line is `sep=;` or similar.
     pub(super) fn separators(&self) -> Vec<char> {
         self.begin().1.map_or_else(|| SEPARATORS.to_vec(), |separator| vec![separator])
     }
 
-    /// The names in a row, if it is the header.
+    /// The column names in a row, if it is the header.
     pub(super) fn names(&self, header: &str) -> Vec<String> {
         Layout::of(self.separator(header)).fields(header, 0).map(|(name, _)| name.to_owned()).collect()
     }
@@ -172,7 +173,7 @@ impl Survey {
         })
     }
 
-    /// Name and place of coordinate `axis` of point `index`.
+    /// Name and location of coordinate `axis` of point `index`.
     pub(super) fn place(&self, index: usize, axis: usize) -> (&'static str, Span) {
         let end = self.text.len()..self.text.len();
         let Some(columns) = &self.columns else {
@@ -185,7 +186,7 @@ impl Survey {
         (["x", columns.quantity()][axis], field.unwrap_or(end))
     }
 
-    /// Where the points end.
+    /// The location of the last row.
     pub(super) fn last_row(&self) -> Span {
         if let Some(columns) = &self.columns {
             let rows = Reader::of(self, columns).map(|reader| reader.places()).unwrap_or_default();
@@ -194,7 +195,7 @@ impl Survey {
         self.rows().last().map_or(0..0, |(_, span)| span)
     }
 
-    /// The lines that say something, with their places and without blanks round them; the first is the header.
+    /// The rows with content, trimmed and with their locations; the first is the header.
     pub(super) fn rows(&self) -> impl Iterator<Item = Field<'_>> {
         let (mut next, end) = (self.begin().0, line_end(&self.text));
         std::iter::from_fn(move || {
@@ -210,9 +211,9 @@ impl Survey {
         .map(|(line, at)| (line, at..at + line.len()))
     }
 
-    /// Where the rows begin, and what parts their fields if a first line says so.
+    /// The start of the rows, and the separator that a first line `sep=` declares.
     fn begin(&self) -> (usize, Option<char>) {
-        // U+FEFF, the byte order mark, is no white space to `trim`.
+        // `trim` does not treat U+FEFF, the byte order mark, as white space.
         let start = if self.text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
         let line = self.text[start..].split(line_end(&self.text)).next().unwrap_or_default();
         let mut rest = line.get(..4).filter(|key| key.eq_ignore_ascii_case("sep=")).map_or("", |_| &line[4..]).chars();
@@ -229,16 +230,16 @@ impl Survey {
     }
 }
 
-/// Round a row; a tab may part fields.
+/// Trimmed around a row; a tab may be a field separator.
 const BLANKS: [char; 2] = [' ', '\r'];
 
-/// What ends a line: `\n`, or `\r` in a file of old Macs, which has no `\n`.
+/// The line end: `\n`, or `\r` in a file of old Macs, which contains no `\n`.
 pub(super) fn line_end(text: &str) -> char {
     if text.contains('\n') || !text.contains('\r') { '\n' } else { '\r' }
 }
 
-/// Where a character is in a text for the first time: rows and fields are short, and a search by bytes is quicker than one that sets out
-/// to be quick over long texts.
+/// The index of the first occurrence of a character. Rows and fields are short, and a search by bytes is faster for them than an
+/// algorithm for long texts.
 fn position(text: &str, wanted: char) -> Option<usize> {
     let mut encoded = [0; 4];
     match wanted.encode_utf8(&mut encoded).as_bytes() {
@@ -247,7 +248,7 @@ fn position(text: &str, wanted: char) -> Option<usize> {
     }
 }
 
-/// A text without blanks round it.
+/// A text without surrounding white space.
 fn trimmed(text: &str) -> &str {
     let is_bare = |byte: Option<&u8>| byte.is_some_and(u8::is_ascii_graphic);
     if is_bare(text.as_bytes().first()) && is_bare(text.as_bytes().last()) { text } else { text.trim() }
@@ -257,7 +258,7 @@ fn trimmed(text: &str) -> &str {
 struct Fields<'a> {
     row: &'a str,
     start: usize,
-    /// Where the next field begins.
+    /// Start of the next field; [`None`] at the end.
     next: Option<usize>,
     separator: char,
 }
@@ -282,7 +283,7 @@ impl<'a> Iterator for Fields<'a> {
     }
 }
 
-/// How many bytes of a text are in quotes at its beginning; two quotes within them are one that is meant.
+/// The length in bytes of the quoted part at the beginning of a text; two quotes inside it stand for one.
 fn quoted(text: &str) -> usize {
     let blank = text.len() - text.trim_start_matches(' ').len();
     let bytes = text.as_bytes();
@@ -300,9 +301,9 @@ fn quoted(text: &str) -> usize {
     text.len()
 }
 
-/// The text, if there is memory for its points.
+/// Returns the text if there is enough memory for its points.
 pub(super) fn with_memory(text: String) -> Result<String, ReadProblem> {
-    /// For each row while a scene is made: some four times its point.
+    /// Memory per row while a scene is created: about four times the memory of a point.
     const BYTES_PER_ROW: usize = 64;
     let end = line_end(&text);
     if can_be_had(text.bytes().filter(|byte| char::from(*byte) == end).count(), BYTES_PER_ROW) {
@@ -311,7 +312,7 @@ pub(super) fn with_memory(text: String) -> Result<String, ReadProblem> {
     Err(ReadProblem::Refused { reason: "out of memory".to_owned() })
 }
 
-/// The survey `path` as messages call it: beside the scene file `scene`, where it is looked for.
+/// The path of a survey in messages: relative to the folder of the scene file `scene`, where it is read.
 pub(super) fn beside(scene: &str, path: &str) -> String {
     Path::new(scene).parent().map_or_else(|| path.to_owned(), |folder| folder.join(path).display().to_string())
 }

@@ -1,79 +1,79 @@
-//! What can be wrong with a survey, and with what the scene file says of its columns.
+//! Errors in a survey and in the declaration of its columns.
 
 use super::Found;
 use super::problem::{excerpt, list};
 
-/// Why a survey is none, or does not have the columns that the scene file names.
+/// An error in a survey, or in the columns that the scene file declares.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SurveyProblem {
-    /// A survey without its header, whose columns are not declared.
+    /// A survey without the header `x,depth` and without declared columns.
     #[error(
         "a survey must begin with the header `x,depth`, or the scene must declare its columns; it begins with {found}"
     )]
     Header {
-        /// What is there.
+        /// The first row of the file.
         found: Found,
-        /// What could be declared, unless no text of the file is to be shown.
+        /// Columns that could be declared; [`None`] if no text of the file may be printed.
         declare: Option<Declaration>,
     },
-    /// A survey without anything in it.
+    /// A survey without any row.
     #[error("the survey has neither header nor points")]
     WithoutHeader,
-    /// A row of a survey that is not a point.
+    /// A row that does not have the two fields of a point.
     #[error("a row of a survey must have 2 fields, x and depth, but this one has {found}")]
     Fields {
-        /// How many it has.
+        /// The number of fields.
         found: usize,
     },
-    /// A row that is too short for the declared columns.
+    /// A row with too few fields for the declared columns.
     #[error("a row of this survey must have at least {column} fields, but this one has {found}")]
     Row {
-        /// The last column that is read.
+        /// The last declared column.
         column: usize,
-        /// How many fields it has.
+        /// The number of fields.
         found: usize,
     },
-    /// A row that is longer than the header, in a file whose commas may be decimal marks.
+    /// A row with more fields than the header, in a file whose commas may be decimal marks.
     #[error("a row of this survey must have at most {width} fields, as its header, but this one has {found}")]
     Wide {
-        /// Fields of the header.
+        /// Number of fields in the header.
         width: usize,
-        /// Fields of the row.
+        /// Number of fields in the row.
         found: usize,
     },
     /// A declared column that the survey does not have.
     #[error("no column of the survey is called {:?}", excerpt(column))]
     NoColumn {
-        /// Its name.
+        /// The name of the column.
         column: String,
-        /// The columns, unless no text of the file is to be shown.
+        /// The columns of the survey; [`None`] if no text of the file may be printed.
         columns: Option<Vec<String>>,
     },
-    /// A declared column that the survey has twice.
+    /// A declared column name that occurs twice in the survey.
     #[error("two columns of the survey are called {:?}", excerpt(column))]
     ColumnTwice {
-        /// Their name.
+        /// The name of the columns.
         column: String,
     },
-    /// A station that can be read in two ways.
+    /// A station with an ambiguous distance between stations.
     #[error("`x` is {found}, which may count hundreds or thousands")]
     Station {
-        /// What is there.
+        /// The text of the field.
         found: Found,
     },
-    /// Both readings of a column, or none.
+    /// The declaration has both `depth` and `elevation`, or neither.
     #[error("a survey must have exactly one of `depth` and `elevation`")]
     DepthOrElevation,
-    /// A datum beside depths.
+    /// A datum for depths.
     #[error("`datum` belongs to `elevation`: a depth already counts downwards from the line of the supports")]
     DatumOfDepths,
-    /// A direction without the place that it counts from.
+    /// A direction without the origin from which chainage is measured.
     #[error("`direction = \"down\"` needs `origin`, the chainage of the left end of the beam")]
     DirectionWithoutOrigin,
 }
 
 impl SurveyProblem {
-    /// From here on the message repeats no text of the file.
+    /// Removes all text of the file from the message.
     pub(super) fn hide_text(&mut self) {
         match self {
             Self::Header { found, declare } => (*found, *declare) = (Found::NotShown, None),
@@ -83,7 +83,7 @@ impl SurveyProblem {
         }
     }
 
-    /// What is expected at the place of the message.
+    /// The value expected at the marked location.
     pub(super) fn expected(&self) -> Option<String> {
         Some(match self {
             Self::Header { .. } | Self::WithoutHeader => {
@@ -105,7 +105,7 @@ impl SurveyProblem {
         })
     }
 
-    /// The line to write.
+    /// The line to write in the scene file.
     pub(super) fn help(&self) -> Option<String> {
         match self {
             Self::Header { declare, .. } => Some(Declaration::lines(declare.as_ref())),
@@ -114,28 +114,28 @@ impl SurveyProblem {
     }
 }
 
-/// What is expected of rows with decimal commas between commas.
+/// The message for rows with decimal commas between separating commas.
 pub(super) const MARKS: &str =
     "expected decimal points; with decimal commas, `;` between the fields, in the header as well";
 
-/// A survey without a declaration, and what could be declared.
+/// A survey without a declaration, with its columns, for a suggestion.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Declaration {
-    /// The name of the file in the scene.
+    /// The name of the file in the scene file.
     pub file: String,
-    /// What the fields of its first row are.
+    /// The fields of its first row.
     pub columns: Vec<String>,
 }
 
-/// How columns of places and of depths or elevations begin, as programs name them.
+/// Prefixes of column names for positions and for depths or elevations, as other programs use them.
 const PLACES: [&str; 9] = ["x", "chain", "stat", "dist", "km", "kp", "pk", "pos", "along"];
 const VALUES: [&str; 11] = ["elev", "level", "depth", "height", "z", "rl", "y", "h", "alt", "niveau", "invert"];
 
-/// Bytes of the longest name that a line to write repeats; a column with a longer one has a number.
+/// The longest column name that a suggestion repeats \[bytes\]; a column with a longer name is given by its number.
 const LONGEST_NAME: usize = 60;
 
 impl Declaration {
-    /// Both readings as lines of the scene file.
+    /// The two possible declarations as lines of the scene file.
     fn lines(declaration: Option<&Self>) -> String {
         let [file, x, value] = declaration.map_or_else(
             || ["…"; 3].map(str::to_owned),
@@ -156,7 +156,8 @@ impl Declaration {
         )
     }
 
-    /// The columns that are probably meant: by their names, or else the first two. Where the first row has numbers there are no names.
+    /// The columns that are probably meant: those with a matching name, otherwise the first two. Columns are numbered if the
+    /// first row contains numbers.
     fn guessed(&self) -> [String; 2] {
         let begins = |at: usize, with: &[&str]| {
             let name = self.columns[at].to_lowercase();

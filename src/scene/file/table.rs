@@ -1,4 +1,4 @@
-//! The keys of one table of a scene file: known ones only, each of its type, each with its path and place.
+//! Access to the keys of one table of a scene file: only known keys, with type checks, paths and locations.
 
 use std::num::IntErrorKind;
 
@@ -9,26 +9,26 @@ use super::Problem;
 use super::problem::excerpt;
 use super::problem::is_forbidden;
 
-/// Bytes of the file, from `start` up to `end`.
+/// A range of bytes in the file.
 pub(super) type Span = std::ops::Range<usize>;
 
-/// What is wrong, and where.
+/// A problem with its location.
 #[derive(Debug)]
 pub(super) struct Error {
     pub(super) span: Span,
     pub(super) problem: Problem,
 }
 
-/// A table whose keys are all known.
+/// A table that contains only known keys.
 #[derive(Debug)]
 pub(super) struct Keys<'a> {
-    /// Path of the table, for example `load.point[2]`; empty for the file itself.
+    /// Path of the table, for example `load.point[2]`; empty for the whole file.
     path: String,
     span: Span,
     table: &'a DeTable<'a>,
 }
 
-/// A value of a scene file, with its path.
+/// A value of a scene file with its path.
 #[derive(Debug)]
 pub(super) struct Value<'a> {
     pub(super) path: String,
@@ -36,13 +36,13 @@ pub(super) struct Value<'a> {
 }
 
 impl<'a> Keys<'a> {
-    /// The file itself.
+    /// The top-level table of the file.
     pub(super) fn of_file(table: &'a DeTable<'a>, known: &'static [&'static str]) -> Result<Self, Error> {
         Self { path: String::new(), span: 0..0, table }.checked(known)
     }
 
     fn checked(self, known: &'static [&'static str]) -> Result<Self, Error> {
-        // The table is sorted by name; the reader meets the keys in the order of the file.
+        // The table is sorted by name, but the error must name the first unknown key in the file.
         match self.table.keys().filter(|key| !known.contains(&&**key.get_ref())).min_by_key(|key| key.span().start) {
             None => Ok(self),
             Some(key) => Err(Error {
@@ -52,12 +52,12 @@ impl<'a> Keys<'a> {
         }
     }
 
-    /// Where the table is; for `[name]` its header.
+    /// The location of the table; its header for `[name]`.
     pub(super) fn span(&self) -> Span {
         self.span.clone()
     }
 
-    /// The value of `key`, if it is there.
+    /// The value of `key`, if it exists.
     pub(super) fn get(&self, key: &str) -> Option<Value<'a>> {
         let value = self.table.get(key)?;
         let path = if self.path.is_empty() { key.to_owned() } else { format!("{}.{key}", self.path) };
@@ -75,7 +75,7 @@ impl<'a> Keys<'a> {
         self.get(key).map(|value| value.number()).transpose()
     }
 
-    /// `true` or `false`.
+    /// The Boolean value of `key`, if it exists.
     pub(super) fn truth(&self, key: &str) -> Result<Option<bool>, Error> {
         let truth = |value: Value<'_>| match value.value.get_ref() {
             DeValue::Boolean(truth) => Ok(*truth),
@@ -84,7 +84,7 @@ impl<'a> Keys<'a> {
         self.get(key).map(truth).transpose()
     }
 
-    /// A value that has to be there.
+    /// The value of a required key.
     pub(super) fn required_value(&self, key: &str, expected: &'static str) -> Result<Value<'a>, Error> {
         self.required(key, expected, self.get(key))
     }
@@ -101,7 +101,7 @@ impl<'a> Keys<'a> {
         self.required(key, "a table", self.table(key, known)?)
     }
 
-    /// The elements of an array, none if the key is missing.
+    /// The elements of an array; empty if the key is missing.
     pub(super) fn elements(&self, key: &str) -> Result<Vec<Value<'a>>, Error> {
         self.get(key).map_or(Ok(Vec::new()), |value| value.elements("an array"))
     }
@@ -116,12 +116,12 @@ impl<'a> Value<'a> {
         self.value.span()
     }
 
-    /// A number, written as an integer or with a decimal point; `nan` and `inf` pass, the scene refuses them.
+    /// A number, written as an integer or with a decimal point. `nan` and `inf` are accepted here and rejected by the scene.
     pub(super) fn number(&self) -> Result<f64, Error> {
         self.number_or("a number")
     }
 
-    /// The same where something else could be as well.
+    /// A number where other types are also allowed; `expected` names them in the error.
     pub(super) fn number_or(&self, expected: &'static str) -> Result<f64, Error> {
         let not_a_number = || self.wrong_type(expected);
         let number = match self.value.get_ref() {
@@ -130,7 +130,7 @@ impl<'a> Value<'a> {
                 let finite = number.is_finite() || !float.as_str().contains(|c: char| c.is_ascii_digit());
                 Some(number).filter(|_| finite)
             }
-            // Rounded to the nearest f64, as a decimal point would be.
+            // Rounded to the nearest f64, like a number with a decimal point.
             DeValue::Integer(integer) if integer.radix() == 10 => {
                 let number: f64 = integer.as_str().parse().map_err(|_| not_a_number())?;
                 Some(number).filter(|number| number.is_finite())
@@ -142,7 +142,7 @@ impl<'a> Value<'a> {
                 )]
                 Ok(number) => Some(number as f64),
                 Err(error) if matches!(error.kind(), IntErrorKind::PosOverflow | IntErrorKind::NegOverflow) => None,
-                // `0x` alone.
+                // `0x` without digits.
                 Err(_) => return Err(not_a_number()),
             },
             _ => return Err(not_a_number()),
@@ -150,13 +150,13 @@ impl<'a> Value<'a> {
         number.ok_or_else(|| Error { span: self.span(), problem: Problem::BeyondRange { path: self.path.clone() } })
     }
 
-    /// A number that is finite.
+    /// A finite number.
     pub(super) fn finite(&self) -> Result<f64, Error> {
         self.number()
             .and_then(|number| if number.is_finite() { Ok(number) } else { Err(self.wrong_type("a finite number")) })
     }
 
-    /// A whole number that is not negative, if it is one.
+    /// A non-negative integer, if the value is one.
     pub(super) fn whole(&self) -> Option<usize> {
         match self.value.get_ref() {
             DeValue::Integer(integer) => usize::from_str_radix(integer.as_str(), integer.radix()).ok(),
@@ -182,7 +182,7 @@ impl<'a> Value<'a> {
         Ok(array.iter().enumerate().map(|(i, value)| Value { path: format!("{}[{i}]", self.path), value }).collect())
     }
 
-    /// Text without line breaks or other control characters: it is printed in tables and figures.
+    /// Text without line breaks or other control characters, because it is printed in tables and figures.
     pub(super) fn line_of_text(&self) -> Result<String, Error> {
         match self.value.get_ref() {
             DeValue::String(text) if !text.contains(|c: char| c.is_control()) => {
@@ -210,5 +210,5 @@ impl<'a> Value<'a> {
     }
 }
 
-/// Characters of a text that a message repeats; a longer one is in the picture below it anyway.
+/// Greatest number of characters of a text that a message repeats; a longer text is visible in the excerpt below the message.
 const LONGEST_QUOTE: usize = 60;
