@@ -289,8 +289,7 @@ impl ContactSet {
         equations.push(given(outermost[0]))?;
         // Report: three-moments
         let unit = 6.0 * discrete.stiffness / (discrete.spacing * discrete.spacing);
-        // The data of the right end of a span: its length, its `links` term (0 for a beam, 1/a for a chain of links), and its
-        // rotation. With two nodes no span is needed.
+        // What the right end of a span needs: its length, 0 of a beam or 1/a of a chain of links, its rotation. Two nodes need no span.
         let at_end = |span: Span| (span.steps, links(discretisation, span.steps), span.rotations[1]);
         let mut left = at_end(if 1 < end { span(nodes[0], nodes[1]) } else { Span::INTERVAL });
         for i in 1..end {
@@ -299,7 +298,7 @@ impl ContactSet {
             left = at_end(right);
             let (b, at_right, _) = left;
             let bend = discrete.bend(nodes[i - 1], nodes[i], nodes[i + 1]);
-            // Next to the outermost nodes one moment is known.
+            // Beside the outermost nodes one moment is known.
             let from_left = if i == 1 { (a - at_left) * outermost[0] } else { 0.0 };
             let (above, from_right) =
                 if i < end - 1 { (b - at_right, 0.0) } else { (0.0, (b - at_right) * outermost[1]) };
