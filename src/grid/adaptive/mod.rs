@@ -1,7 +1,7 @@
 //! Adaptive grids: the requested accuracy determines the grid.
 //!
 //! ```text
-//! error ≤ EPS · largest of its kind      guaranteed, for the continuous beam, with the least work
+//! error ≤ EPS · largest of its kind      proven, for the continuous beam, with the least work
 //! ```
 //!
 //! The grid is refined until the proven error bound of the answer is small enough. The module `plan` predicts the next grid from the

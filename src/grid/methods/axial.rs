@@ -50,9 +50,9 @@ impl Link {
     }
 }
 
-/// A beam under an axial force on a list of nodes.
+/// The solution for a beam under an axial force on a list of nodes.
 pub(super) struct Pulled {
-    /// Moments at them \[force · Δ\].
+    /// Moments at the nodes \[force · Δ\].
     pub(super) moments: Vec<f64>,
     /// Settlement of whatever holds each node; at nodes that nothing holds, the deflection.
     pub(super) sunk: Vec<f64>,

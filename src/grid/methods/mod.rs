@@ -61,7 +61,7 @@ pub enum Method {
 }
 
 impl Method {
-    /// All of them, in the order of the paper.
+    /// All methods, in the order of the paper.
     pub const ALL: [Self; 3] = [Self::Complementarity, Self::Displacement, Self::Force];
 
     /// The name used by command line, JSON and report.
@@ -74,7 +74,7 @@ impl Method {
         }
     }
 
-    /// The quadratic program (32) that this method makes of a scene on a grid.
+    /// The quadratic program (32) of this method for a scene on a grid.
     #[must_use]
     pub fn qp(self, discrete: &Discrete) -> Box<dyn Qp + '_> {
         Box::new(Program { method: self, discrete })

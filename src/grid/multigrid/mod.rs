@@ -52,7 +52,7 @@ struct Cost {
 ///
 /// # Errors
 ///
-/// None for a grid that exists; the type is that of [`Discrete::new`].
+/// None for a grid that exists. The error type is that of [`Discrete::new`].
 pub(crate) fn solve(
     scene: &Scene,
     method: Method,

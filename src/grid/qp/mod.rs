@@ -9,7 +9,8 @@
 //! ```
 //!
 //! `A` is symmetric and positive definite, so the optimum exists and is unique. In rare cases `A` is only semidefinite, but definite
-//! on the sets of free variables that occur. Nothing here depends on what a variable stands for. [`crate::solvers`] find the optimum.
+//! on the sets of free variables that occur. Nothing here depends on what a variable stands for. The optimum is found by
+//! [`crate::solvers`].
 
 mod band;
 pub(crate) mod blocks;
