@@ -107,7 +107,7 @@ impl Discrete {
         })
     }
 
-    /// The settlement under a unit force of whatever is below a node. A compression-only support is rigid here.
+    /// The settlement under a unit force of whatever is below a node; zero at a rigid compression-only support.
     #[must_use]
     pub fn give(&self, node: usize) -> f64 {
         match self.supports.bearings() {

@@ -80,7 +80,7 @@ impl Hinge {
         f64::from(u8::from(self.sides[0]) + u8::from(self.sides[1]))
     }
 
-    /// The three nodes whose deflections bend it. For a missing side its own node stands twice.
+    /// The three nodes whose deflections bend it. For a missing side its own node is given twice.
     fn three(&self) -> [usize; 3] {
         [self.node - usize::from(self.sides[0]), self.node, self.node + usize::from(self.sides[1])]
     }
@@ -193,8 +193,8 @@ fn bends(hinges: &[Hinge], first: usize, node: usize) -> impl Iterator<Item = (u
     near.map(move |(k, hinge)| (first + k, share(hinge))).filter(|(_, share)| *share != 0.0)
 }
 
-/// Methods 1 and 2: moments, then compressions of springs, then clearances. `sizes` are those of clearance and gradient in the
-/// quadratic program.
+/// Methods 1 and 2: moments, then compressions of springs and elastic supports, then clearances. `sizes` are those of clearance and
+/// gradient in the quadratic program.
 pub(super) fn potential(discrete: &Discrete, discretisation: Discretisation, sizes: Sizes) -> SparseForm {
     let hinges = Hinge::all(discrete);
     let fine = fineness(discrete);
@@ -256,9 +256,9 @@ pub(super) fn potential(discrete: &Discrete, discretisation: Discretisation, siz
     SparseForm { quadratic, linear, equations, right, signed, sizes }
 }
 
-/// Method 3: moments, then contact forces. Levels and slopes of supports do work with the reactions that moments cause there. A node
-/// with a rigid support has no equation, because its reaction balances it. A node with nothing to touch has an equation, and no
-/// force.
+/// Method 3: moments, then forces of elastic supports and of the string, then contact forces. Levels and slopes of supports do work
+/// with the reactions that moments cause there. A node with a rigid support has no equation, because its reaction balances it. A node
+/// with nothing to touch has an equation, and no force.
 pub(super) fn complementary(discrete: &Discrete, discretisation: Discretisation, sizes: Sizes) -> SparseForm {
     let hinges = Hinge::all(discrete);
     let Sizes { x: depth, gradient: force } = discrete.sizes();

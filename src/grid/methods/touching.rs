@@ -1,8 +1,9 @@
 //! The places at which a beam may be in contact, and the unknowns that belong to them.
 //!
 //! A *place* is the number of a node or, beyond the last node of the grid, of a stop. A stop is an elastic compression-only support.
-//! The foundation below a stop is another place at the same node. Values at *slots* are values at all nodes except supported ends,
-//! followed by those of the stops. Values of unknowns leave out the nodes with nothing to touch and those that a support holds.
+//! If there is a foundation below a stop, it is another place at the same node. Values at *slots* are values at all nodes except
+//! supported ends, followed by those of the stops. Values of unknowns leave out the nodes with nothing to touch and those that a
+//! support holds.
 
 use std::sync::Arc;
 

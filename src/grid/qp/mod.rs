@@ -68,7 +68,7 @@ pub trait Qp {
     }
 
     /// If the free variables have no stationary point, replaces them by a set that has one with `x ≥ 0`. This can happen only if `A`
-    /// is positive semidefinite; by default nothing changes.
+    /// is semidefinite; by default nothing changes.
     fn make_definite(&self, _free: &mut FreeSet) {}
 
     /// The reason why there is no matrix `A`, if there is none because the variables must also satisfy equations. The
