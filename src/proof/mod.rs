@@ -40,7 +40,7 @@ use crate::theory::Exact;
 pub struct Fields {
     /// The cells from the left end of the beam to its right end.
     pub cells: Vec<Cell>,
-    /// Whether the deflection for these contacts penetrated the foundation and was lifted.
+    /// Whether the deflection for these contacts penetrated the foundation, and was lifted or counts as pressed there.
     pub is_lifted: bool,
 }
 
