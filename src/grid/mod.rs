@@ -1,4 +1,4 @@
-//! The beam on a grid: methods make a quadratic program of a scene, and solvers solve it.
+//! The beam on a grid: methods turn a scene into a quadratic program, and solvers solve it.
 
 pub mod adaptive;
 pub mod methods;

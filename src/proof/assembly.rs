@@ -1,4 +1,4 @@
-//! From nodes to cells: the beam in its spans, on rigid ground and in ground that gives, with moments that are in equilibrium.
+//! From nodes to cells: the beam in its spans, on a rigid and in an elastic foundation, with moments in equilibrium.
 
 #![expect(clippy::float_cmp, reason = "a place is the same number wherever it is given")]
 
@@ -13,28 +13,29 @@ use super::polynomial::{
 use super::span::{Span, width};
 use super::{Cell, Fields, Unproven};
 
-/// What `size` is lifted by, from the share of rounding to some times itself, in powers of two: coarse steps first.
+/// Exponents of the powers of two of `size` by which a deflection is lifted, from the size of rounding to several times `size`.
+/// Coarse steps come first.
 const LIFTS: std::ops::RangeInclusive<i32> = -56..=4;
-/// Coarse steps of these powers.
+/// Increment of the exponent in a coarse step.
 const STEP: i32 = 4;
 
 fn second(p: &[RBig]) -> Polynomial {
     derivative(&derivative(p))
 }
 
-/// The least of a few amounts of `size` that is enough; none if none is.
+/// The smallest of these multiples of `size` that is enough; [`None`] if none is.
 fn least_lift(size: &RBig, is_enough: impl Fn(&RBig) -> bool) -> Option<RBig> {
     let by = |power: i32| short(size) * exactly(libm::exp2(f64::from(power)));
     let enough = LIFTS.step_by(4).find(|power| is_enough(&by(*power)))?;
     (enough - STEP + 1..=enough).map(by).find(is_enough)
 }
 
-/// A cell, of a part without a break that is known in 64 bits.
+/// A cell on a part without a break, whose ends are 64-bit numbers.
 fn cell(ends: [f64; 2], deflection: Polynomial, moment: Polynomial, pressed: bool) -> Cell {
     Cell { ends: ends.map(exactly), deflection, moment, pressed }
 }
 
-/// Nodes with all that is known of spans and moments, `T = M + N v`.
+/// Nodes with everything known about spans and moments, `T = M + N v`.
 struct Assembly<'a> {
     given: &'a Given,
     nodes: &'a [HoldingNode],
@@ -45,13 +46,14 @@ struct Assembly<'a> {
 }
 
 impl Given {
-    /// Whether a span is nowhere in the ground.
+    /// Whether a span is nowhere below the surface of the foundation.
     fn is_above(&self, curve: &[([f64; 2], Polynomial)]) -> bool {
         curve.iter().all(|(part, v)| self.is_clear(*part, v))
     }
 
-    /// Span `i` less `α s^a (L − s)^b`, with the least `α` of some sizes that puts it above the ground; [`None`] where it is above, and
-    /// where none is enough. Moments are chosen after it: under an axial force they hang on the deflection.
+    /// Span `i` less `α s^a (L − s)^b`, with the smallest `α` of some sizes that lifts it out of the foundation. [`None`] if it is
+    /// not in the foundation, or if no `α` is enough. Moments are chosen afterwards, because under an axial force they depend on the
+    /// deflection.
     fn lifted(
         &self,
         nodes: &[HoldingNode],
@@ -87,11 +89,11 @@ impl Given {
         least_lift(&size, |by| self.is_above(&lifted(by))).map(|by| lifted(&by))
     }
 
-    /// The fields of nodes with their slopes.
+    /// The fields for nodes with known slopes.
     ///
     /// # Errors
     ///
-    /// What is not admissible, as [`Unproven`] has it.
+    /// [`Unproven`] with whatever is not admissible.
     pub(super) fn assembled(&self, nodes: &[HoldingNode]) -> Result<Fields, Unproven> {
         let mut spans = (0..=nodes.len()).map(|i| self.span(nodes, i)).collect::<Result<Vec<_>, _>>()?;
         let mut is_lifted = false;
@@ -128,8 +130,9 @@ impl Given {
         Ok(Fields { cells, is_lifted })
     }
 
-    /// The cells, if forces and couples between them are such as ground and supports exert. Where ground begins at a support in the
-    /// direction of the beam it exerts a couple with it: a force that is far nearer than rounding.
+    /// The cells, if foundation and supports can exert the forces and couples between them. If the foundation begins at a support in
+    /// the direction of the beam, the foundation can exert a couple together with the support. Its force is then at a distance far
+    /// below rounding.
     fn in_equilibrium(&self, mut cells: Vec<Cell>) -> Result<Vec<Cell>, Unproven> {
         let mut coupled = Vec::new();
         for k in 0..=cells.len() {
@@ -175,10 +178,10 @@ impl Given {
         Ok(cells)
     }
 
-    /// How far from a support the force is that makes a couple `T` with it. The duality gap has `T²a/2EI` of the moment over the arm `a`,
-    /// and `T/a` times what the ground is below the support by rounding.
+    /// The distance from a support of the force that forms a couple `T` with it. The duality gap contains `T²a/2EI` from the moment
+    /// over the arm `a`, and `T/a` times the distance by which the foundation is below the support by rounding.
     fn arm(&self, cell: &Cell, couple: &RBig, below: &RBig) -> RBig {
-        /// Of the cell: far less than rounding.
+        /// As a fraction of the cell: far below rounding.
         const LEAST: f64 = f64::EPSILON * f64::EPSILON;
         let width = &cell.ends[1] - &cell.ends[0];
         let stiffness = self.bending([0, 1].map(|end| cell.ends[end].to_f64().value()));
@@ -187,7 +190,8 @@ impl Given {
     }
 }
 
-/// A cell in two, with a moment that goes over to that behind the support at its end: at its right end for a positive couple.
+/// Splits a cell, so that near one end its moment changes to the moment behind the support there. This is the right end for a
+/// positive couple.
 fn beside(cell: &Cell, couple: RBig, arm: &RBig) -> [Cell; 2] {
     let [from, to] = &cell.ends;
     let (at_end, rise) = (RBig::ZERO < couple, &couple / arm);
@@ -212,7 +216,7 @@ impl Assembly<'_> {
         span.curve.iter().zip(&self.hanging[i]).map(of).collect()
     }
 
-    /// The cells of span `i`, and whether ends of it count as pressed.
+    /// The cells of span `i`, and whether its ends count as pressed.
     fn clear_cells(&self, i: usize) -> Result<(Vec<Cell>, bool), Unproven> {
         let cells = self.hanging_cells(i);
         let Some(Span { curve, .. }) = &self.spans[i] else { return Ok((cells, false)) };
@@ -223,9 +227,10 @@ impl Assembly<'_> {
         Ok((self.touching(curve, &cells).ok_or(Unproven::InGround { ends })?, true))
     }
 
-    /// On ground that gives, a span whose ends may be below the surface by rounding: there they count as pressed, without a pressure.
+    /// On an elastic foundation the ends of a span may be below the surface by rounding. There they count as pressed, with zero pressure.
     fn touching(&self, span: &[([f64; 2], Polynomial)], cells: &[Cell]) -> Option<Vec<Cell>> {
-        /// Of the first and the last part of a span, in powers of two: from the shortest that a place of 64 bits can tell.
+        /// Fractions of the first and the last part of a span, as exponents of two, beginning with the shortest part that 64-bit
+        /// positions can resolve.
         const SHARES: [i32; 4] = [-40, -30, -20, -12];
         let given = self.given;
         if !given.is_on_soil() {
@@ -256,8 +261,8 @@ impl Assembly<'_> {
         })
     }
 
-    /// `v` and `v'` at the places of a zone that its ends and the breaks in it are: those of the ground, but at a kink by rounding, where the
-    /// beam has the slope between and is so much above the ground that a cubic does not reach it.
+    /// `v` and `v'` at the ends of a zone and at the breaks in it. They are those of the foundation, except at a kink by rounding.
+    /// There the beam has the mean slope, and is so far above the foundation that a cubic does not reach it.
     fn places(&self, nodes: &[HoldingNode], parts: &[[f64; 2]]) -> Result<Vec<[RBig; 2]>, Unproven> {
         let given = self.given;
         let mut places = vec![given.end(&nodes[0], 1)?];
@@ -274,7 +279,7 @@ impl Assembly<'_> {
         Ok(places)
     }
 
-    /// The cells of the zone on the left of node `i`: `v = g`, but for what rounding does to supports and kinks.
+    /// The cells of the zone to the left of node `i`: `v = g`, except for the effects of rounding at supports and kinks.
     fn zone(&self, i: usize) -> Result<Vec<Cell>, Unproven> {
         let (given, nodes) = (self.given, &self.nodes[i - 1..=i]);
         let parts = given.parts([nodes[0].x, nodes[1].x], false);
@@ -316,7 +321,7 @@ impl Assembly<'_> {
         is_nowhere_negative(&pressure, &width(part))
     }
 
-    /// `M'` at node `i` of a part that is pressed into ground that gives, on the right of the node or on its left.
+    /// `M'` at node `i` of a part that is pressed into an elastic foundation, to the right or to the left of the node.
     fn shear(&self, i: usize, on_right: bool) -> RBig {
         let (node, load) = (&self.nodes[i], self.given.point_load(self.nodes[i].x));
         let is_held = self.given.elastic.iter().any(|spring| spring.x == node.x);
@@ -324,7 +329,7 @@ impl Assembly<'_> {
         if is_held || self.given.support(node.x).is_some() {
             return own(usize::from(on_right));
         }
-        // Nothing takes a force: on the right there is that of the left less the load.
+        // No force can act here, so `M'` on the right is that on the left less the load.
         let less = |left: RBig| left - &load;
         let is_end = [node.x <= 0.0, self.given.length <= node.x];
         match (on_right, is_end) {
@@ -342,12 +347,12 @@ impl Assembly<'_> {
         }
     }
 
-    /// The cell on the left of node `i`, pressed into ground that gives by about a polynomial. A little less moment in its middle makes
-    /// a pressure that rounding has below zero at an end of it positive.
+    /// The cell to the left of node `i`, pressed into an elastic foundation by approximately a polynomial. If rounding makes the
+    /// pressure negative at an end, a little more moment in the middle makes it positive.
     fn pressed(&self, i: usize, sunk: &[RBig]) -> Result<Cell, Unproven> {
         let (given, [a, b]) = (self.given, [&self.nodes[i - 1], &self.nodes[i]]);
         let part = [a.x, b.x];
-        // Where the ground goes on along a line, but for rounding, the beam follows its first part.
+        // Where the foundation continues along a line up to rounding, the beam follows its first part.
         let first = given.parts(part, false)[0];
         let (gap, l) = (given.gap(first).ok_or(Unproven::Place { at: a.x })?, width(part));
         let k = given.soil(part);

@@ -1,4 +1,4 @@
-//! Where a beam on rigid ground is held: the places of its contacts as they are, its supports, and the slopes that follow.
+//! The nodes of a beam on a rigid foundation: the unchanged positions of its contacts, its supports, and the slopes that follow.
 
 #![expect(clippy::float_cmp, reason = "a place is the same number wherever it is given")]
 
@@ -12,31 +12,32 @@ use crate::certificate::tridiagonal;
 use crate::state::Contact;
 use crate::theory::Exact;
 
-/// What the beam does to the right of a place.
+/// The state of the beam to the right of a node.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Part {
-    /// It hangs.
+    /// A span without contact.
     Span,
-    /// It lies on rigid ground.
+    /// In contact with a rigid foundation.
     Zone,
-    /// It is pressed into ground that gives; coefficients of `v − g` in powers of `x − from`.
+    /// Pressed into an elastic foundation; coefficients of `v − g` in powers of `x − from`.
     Pressed(Vec<RBig>),
 }
 
-/// A place that holds the beam, or where it begins or ceases to lie on the ground.
+/// A position that holds the beam, or where contact begins or ends.
 #[derive(Debug, Clone)]
 pub(super) struct HoldingNode {
     pub(super) x: f64,
-    /// The slope is that of the ground on its left side, if true, or on its right side; none where it is the beam's own.
+    /// Whether the slope is that of the foundation on the left side (true) or on the right side (false); [`None`] if the beam has its
+    /// own slope.
     pub(super) along: Option<bool>,
-    /// On its left and on its right, which differ at a joint only.
+    /// Slopes to the left and to the right, which differ at a joint only.
     pub(super) slopes: [RBig; 2],
     pub(super) right: Part,
-    /// Of ground that gives: `v`, and on its two sides `M` and `M'`. The slope is known.
+    /// On an elastic foundation, `v`, and `M` and `M'` on both sides. The slope is then known.
     pub(super) pressed: Option<Box<PressedEnd>>,
 }
 
-/// What is known at an end of a part that is pressed into ground that gives.
+/// Known values at an end of a part that is pressed into an elastic foundation.
 #[derive(Debug, Clone)]
 pub(super) struct PressedEnd {
     pub(super) deflection: RBig,
@@ -76,7 +77,7 @@ impl Given {
             node.slopes = [(); 2].map(|()| exactly(exact.slope(node.x)));
             return Ok(nodes);
         }
-        // At a support that is level with the ground the beam is not steeper than the ground.
+        // At a support level with the foundation the beam must not be steeper than the foundation.
         for _ in 0..3 {
             self.turn(&mut nodes)?;
             if !self.follow(&mut nodes) {
@@ -90,7 +91,7 @@ impl Given {
         let node = HoldingNode::new;
         let mut nodes: Vec<HoldingNode> = Vec::new();
         for &Contact { from, to, .. } in contacts {
-            // Zones that share an end are one.
+            // Zones that share an end are merged.
             if from < to && nodes.last().is_some_and(|last| last.x == from) {
                 nodes.pop();
                 nodes.push(node(to, Some(true), Part::Span));
@@ -110,7 +111,8 @@ impl Given {
         nodes
     }
 
-    /// Whether the beam may turn where it touches: at an end, and where no side has the slope of the other.
+    /// Whether the beam may rotate at a contact: at a joint, at an end of the beam, without a foundation, and where the two sides of
+    /// the foundation differ.
     fn is_corner(&self, x: f64) -> bool {
         let [left, right] = [true, false].map(|left| self.side(x, left));
         self.joint(x).is_some()
@@ -121,9 +123,9 @@ impl Given {
             || left.is_some_and(|[g, _]| Some(g) != self.depth(x))
     }
 
-    /// Whether the slope on a side of a node follows from the others.
+    /// Whether the slope on a side of a node has to be computed from the other values.
     fn turns(&self, node: &HoldingNode, side: usize) -> bool {
-        // At a joint the beam follows the ground on one side of it alone.
+        // At a joint the beam follows the foundation on one side only.
         let follows = node.along.is_some_and(|left| self.joint(node.x).is_none() || left == (side == 0));
         !follows && node.pressed.is_none() && self.support(node.x).is_none_or(|s| s.slope.is_none())
     }
@@ -139,7 +141,7 @@ impl Given {
         Ok([level, built_in.or(ground).unwrap_or_else(|| node.slopes[side].clone())])
     }
 
-    /// What hangs on the left of node `i`; none where the beam is on the ground, and where there is no beam.
+    /// The part without contact to the left of node `i`; [`None`] where the beam is in contact or does not exist.
     fn hanging(&self, nodes: &[HoldingNode], i: usize) -> Option<Hanging<'_>> {
         let ends = [i.checked_sub(1).map(|i| &nodes[i]), nodes.get(i)];
         let places = [ends[0].map_or(0.0, |node| node.x), ends[1].map_or(self.length, |node| node.x)];
@@ -158,14 +160,14 @@ impl Given {
         hanging.span(&ends).map(Some).ok_or(Unproven::Turns { at })
     }
 
-    /// The slopes at which moments balance at each node: a system with three diagonals, whose right-hand side is what is left of it without
-    /// rounding.
+    /// Solves for the slopes at which moments balance at each node. The system is tridiagonal, and its right-hand side is the
+    /// residual without rounding.
     ///
     /// ```text
     /// M_right − M_left − C + k_t (ψ − φ) = 0;     at a joint  M_left = M_right = −k_j (ψ_right − ψ_left)
     /// ```
     pub(super) fn turn(&self, nodes: &mut [HoldingNode]) -> Result<(), Unproven> {
-        /// Each solve adds the digits of 64 bits to those that are right; a slope has no more.
+        /// Each solve adds as many correct digits as 64 bits have. A slope is stored in 64 bits.
         const SOLVES: usize = 2;
         let is_joint: Vec<bool> = nodes.iter().map(|node| self.joint(node.x).is_some()).collect();
         // A joint has a row for each side.
@@ -218,7 +220,7 @@ impl Given {
         Ok(())
     }
 
-    /// What joint, couple and turning spring at a node add to its rows.
+    /// Adds the contribution of a joint, couple or rotational spring at a node to its rows.
     fn hold_turning(&self, node: &HoldingNode, rows: &mut [[f64; 4]], left: &mut [RBig]) {
         if let ([first, second], [m0, m1], Some(stiffness)) = (&mut *rows, &mut *left, self.joint(node.x)) {
             let Some(k) = stiffness else { return };
@@ -236,9 +238,10 @@ impl Given {
         }
     }
 
-    /// Puts the beam along ground that begins at a support, where it would be steeper or as steep but for rounding. True if it does.
+    /// Sets the slope of the beam to that of a foundation which begins at a support, where the beam would be steeper than the
+    /// foundation or as steep up to rounding. Returns whether it changed any.
     fn follow(&self, nodes: &mut [HoldingNode]) -> bool {
-        /// Slopes that are as good as one, as a share of their size: digits of their solution.
+        /// Slopes that differ by less than this fraction of their size count as equal, because the solution has so many digits.
         const ALIKE: f64 = 1e-12;
         let mut changed = false;
         for i in 0..nodes.len() {

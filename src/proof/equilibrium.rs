@@ -1,11 +1,12 @@
-//! Moments in equilibrium: those at nodes and the forces of springs are chosen near the truth, and a few are corrected without rounding so that
-//! free ends and hinges have none.
+//! Moments in equilibrium. The moments at nodes and the forces of springs are chosen near the truth. A few are then corrected without
+//! rounding, so that the moments at free ends and hinges are zero.
 //!
 //! ```text
 //! T = M + N v       T'' = p − q       force of a place on the beam  F = [T'] + P       couple  [T] − C
 //! ```
 //!
-//! So tension drops out of equilibrium: `M` is `T − N v` in the end. Where tension alone holds a hinge or a free end, its `v` is corrected.
+//! Tension therefore drops out of equilibrium, and `M` is `T − N v` in the end. Where tension alone holds a hinge or a free end, its
+//! `v` is corrected.
 
 use std::collections::BTreeMap;
 
@@ -16,8 +17,8 @@ use super::polynomial::{Polynomial, at, derivative, jet, magnitude, plus, produc
 use super::span::{Curve, Span, on_curve, width};
 use super::{Unproven, contact_nodes::HoldingNode};
 
-/// What is chosen: `T` on both sides of each node, force and couple of each support that gives, and by how much `v` is more at each loose
-/// place of each span.
+/// The chosen numbers: `T` on both sides of each node, force and couple of each elastic support, and the increase of `v` at each
+/// loose position of each span.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Chosen {
     pub(super) nodes: Vec<[RBig; 2]>,
@@ -25,13 +26,13 @@ pub(super) struct Chosen {
     pub(super) sunk: Vec<Vec<RBig>>,
 }
 
-/// One of these numbers.
+/// One of the chosen numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Number {
-    /// `T` on a side of a node, or on both, which differ by the couple there.
+    /// `T` on one side of a node, or on both sides, which differ by the couple there.
     Node(usize, Option<usize>),
     Spring(usize, usize),
-    /// `v` at a loose place of a span.
+    /// `v` at a loose position of a span.
     Loose(usize, usize),
 }
 
@@ -46,20 +47,20 @@ impl Number {
     }
 }
 
-/// What has to be zero.
+/// A quantity that must be zero.
 #[derive(Debug, Clone, Copy)]
 enum Condition {
-    /// The moment in a hinge within a span.
+    /// The moment in a hinge inside a span.
     Hinge(usize, f64),
     /// The moment on a side of a node that is a hinge.
     HingedNode(usize, usize),
-    /// What is left at the free end of a span, carried to its node.
+    /// The moment left over in a span with a free end.
     End(usize),
-    /// The force that is left of a beam without nodes.
+    /// The force left over for a beam without nodes.
     Balance,
 }
 
-/// Nodes and spans with their deflection.
+/// Nodes, and spans with their deflections.
 #[derive(Debug)]
 pub(super) struct Equilibrium<'a> {
     pub(super) given: &'a Given,
@@ -68,7 +69,7 @@ pub(super) struct Equilibrium<'a> {
 }
 
 impl Equilibrium<'_> {
-    /// What acts at a place of a span: force, and couple.
+    /// Force and couple that act at a position in a span.
     fn acting(&self, x: f64, chosen: &Chosen) -> [RBig; 2] {
         let [force, couple] = self.given.acting(x);
         let spring = self.given.elastic.iter().position(|spring| spring.x.total_cmp(&x).is_eq());
@@ -76,7 +77,7 @@ impl Equilibrium<'_> {
         [force - push, couple + turn]
     }
 
-    /// `N v` at a place of span `i`.
+    /// `N v` at a position in span `i`.
     fn pull(&self, i: usize, x: f64, chosen: &Chosen) -> RBig {
         let (tension, Some(span)) = (&self.given.tension, &self.spans[i]) else { return RBig::ZERO };
         if tension.is_zero() {
@@ -87,7 +88,7 @@ impl Equilibrium<'_> {
         tension * more.map_or(v.clone(), |k| v + &chosen.sunk[i][k])
     }
 
-    /// The hinges and free ends of a span under an axial force.
+    /// The loose positions of a span: its hinges and free ends, under an axial force.
     fn loose(&self, i: usize) -> Vec<f64> {
         let Some(Span { curve, .. }) = self.spans[i].as_ref().filter(|_| !self.given.tension.is_zero()) else {
             return Vec::new();
@@ -98,8 +99,8 @@ impl Equilibrium<'_> {
         ends[0].into_iter().chain(hinges).chain(ends[1]).collect()
     }
 
-    /// Span `i` with its chosen `v` at loose places. From the place before and from the one behind it grows by `s⁴`, which is far less than
-    /// the clearance where the beam lifts off.
+    /// Span `i` with its chosen `v` at loose positions. The change grows by `s⁴` from the positions before and behind, which is far
+    /// less than the clearance where the beam lifts off.
     pub(super) fn moved(&self, i: usize, chosen: &Chosen) -> Option<Curve> {
         let curve = &self.spans[i].as_ref()?.curve;
         let (loose, ends) = (self.loose(i), [curve[0].0[0], curve[curve.len() - 1].0[1]]);
@@ -108,7 +109,7 @@ impl Equilibrium<'_> {
         if places.iter().all(|(_, by)| by.is_zero()) {
             return None;
         }
-        // An end that is loose is one place: the first of two.
+        // A loose end is listed once, with its chosen value.
         places.extend(ends.map(|x| (x, &none)));
         places.sort_by(|a, b| a.0.total_cmp(&b.0));
         places.dedup_by_key(|place| place.0.to_bits());
@@ -124,7 +125,7 @@ impl Equilibrium<'_> {
         Some(curve.iter().map(moved).collect())
     }
 
-    /// `T` on the parts of a span from `T` and `T'` at its left end, and what these are at its right end.
+    /// `T` on the parts of a span from `T` and `T'` at its left end, and their values at its right end.
     fn march(&self, span: &Span, [mut moment, mut shear]: [RBig; 2], chosen: &Chosen) -> (Vec<Polynomial>, [RBig; 2]) {
         let mut all = Vec::new();
         for (i, (part, _)) in span.curve.iter().enumerate() {
@@ -141,13 +142,13 @@ impl Equilibrium<'_> {
         (all, [moment, shear])
     }
 
-    /// `T` on the parts of span `i`, and what is left over at its free end, or of one of two free ends.
+    /// `T` on the parts of span `i`, and the moment and force left over in a span with one or two free ends.
     pub(super) fn moments(&self, i: usize, chosen: &Chosen) -> (Vec<Polynomial>, [RBig; 2]) {
         let Some(span) = &self.spans[i] else { return (Vec::new(), [RBig::ZERO, RBig::ZERO]) };
         let ends = [span.curve[0].0[0], span.curve[span.curve.len() - 1].0[1]];
         let beside = |node: Option<usize>, side: usize| Some(chosen.nodes.get(node?)?[side].clone());
         let at_nodes = [beside(i.checked_sub(1), 1), beside(Some(i), 0)];
-        // Beyond a free end there is nothing.
+        // Nothing acts beyond a free end.
         let free = |end: usize| {
             let [force, couple] = self.acting(ends[end], chosen);
             let pull = self.pull(i, ends[end], chosen);
@@ -177,7 +178,7 @@ impl Equilibrium<'_> {
         }
     }
 
-    /// What a condition lacks.
+    /// The value of a condition, which must be zero.
     fn lacks(&self, condition: Condition, chosen: &Chosen) -> RBig {
         match condition {
             Condition::End(i) => self.moments(i, chosen).1[0].clone(),
@@ -215,9 +216,9 @@ impl Equilibrium<'_> {
         conditions
     }
 
-    /// The numbers that count for a condition.
+    /// The numbers that affect a condition.
     fn numbers(&self, condition: Condition) -> Vec<Number> {
-        // At an end of the beam nothing is chosen, unless something takes a couple there.
+        // At an end of the beam nothing is chosen, unless the node can take a couple.
         let side = |i: usize, side: usize| match self.is_split(i) {
             true => Some(Number::Node(i, Some(side))),
             false => (0.0 < self.nodes[i].x && self.nodes[i].x < self.given.length).then_some(Number::Node(i, None)),
@@ -240,14 +241,15 @@ impl Equilibrium<'_> {
         ends.into_iter().flatten().chain(springs).chain(loose).collect()
     }
 
-    /// Whether something at a node takes a couple.
+    /// Whether something at a node can take a couple.
     fn is_split(&self, i: usize) -> bool {
         let x = self.nodes[i].x;
         self.given.turning(x).is_some()
             || self.given.support(x).is_some_and(|s| s.slope.is_some() || self.nodes[i].along.is_some())
     }
 
-    /// The chosen numbers with corrections that meet all conditions: each is met by the number that it hangs on most.
+    /// The chosen numbers, corrected so that they satisfy all conditions. Each condition is satisfied by the number on which it
+    /// depends most.
     pub(super) fn corrected(&self, mut chosen: Chosen) -> Result<Chosen, Unproven> {
         let mut rows: Vec<(Number, BTreeMap<Number, RBig>, RBig)> = Vec::new();
         let at = |condition: Condition| match condition {
@@ -297,8 +299,8 @@ impl Equilibrium<'_> {
         Ok(chosen)
     }
 
-    /// How much a condition hangs on a number: of a force, the length counts that it has to turn by. On a deflection it hangs if on nothing
-    /// else.
+    /// How much a condition depends on a number. The coefficient of a force is divided by the length over which it turns. Deflections
+    /// are used only if nothing else is available.
     fn weight(&self, number: Number, coefficient: &RBig) -> (bool, RBig) {
         let size = magnitude(coefficient);
         let is_force = matches!(number, Number::Spring(_, 0));
@@ -306,14 +308,14 @@ impl Equilibrium<'_> {
         (!matches!(number, Number::Loose(..)), size)
     }
 
-    /// What is near the truth.
+    /// Numbers near the truth.
     pub(super) fn near(&self) -> Result<Chosen, Unproven> {
         let nodes = (0..self.nodes.len()).map(|i| self.moments_at(i)).collect::<Result<_, _>>()?;
         let sunk = (0..self.spans.len()).map(|i| vec![RBig::ZERO; self.loose(i).len()]).collect();
         Ok(Chosen { nodes, springs: self.springs(), sunk })
     }
 
-    /// `T` on both sides of node `i`, of what is beside it; split where something takes a couple.
+    /// `T` on both sides of node `i`, from its two neighbouring parts. The sides are independent if something there can take a couple.
     fn moments_at(&self, i: usize) -> Result<[RBig; 2], Unproven> {
         let (node, given) = (&self.nodes[i], self.given);
         let outside = [i == 0, i + 1 == self.nodes.len()];
@@ -336,7 +338,7 @@ impl Equilibrium<'_> {
         let [_, couple] = given.acting(node.x);
         let is_given = [0, 1].map(|side| outside[side] || self.spans[i + side].is_none());
         let left = match is_given {
-            // Beyond an end of the beam there is nothing, whatever rounding left beside it.
+            // At an end of the beam nothing acts outside, whatever rounding leaves inside.
             _ if node.x <= 0.0 => own[0].clone(),
             _ if given.length <= node.x => &own[1] - &couple,
             [true, false] => own[0].clone(),
@@ -349,7 +351,7 @@ impl Equilibrium<'_> {
         Ok([left, right])
     }
 
-    /// Force and couple of each support that gives, rounded.
+    /// Force and couple of each elastic support, rounded.
     fn springs(&self) -> Vec<[RBig; 2]> {
         let pushed = |spring: &super::given::Elastic| {
             let span = self.spans.iter().flatten().find(|span| {

@@ -1,4 +1,4 @@
-//! A scene in fractions: what supports, ground and loads are along the beam.
+//! A scene in rational arithmetic: its supports, foundation and loads along the beam.
 
 #![expect(clippy::float_cmp, reason = "a place is the same number wherever it is given")]
 
@@ -8,51 +8,51 @@ use super::Unproven;
 use super::polynomial::{Polynomial, exactly, is_nowhere_negative, jet, plus, shifted};
 use crate::scene::{Beam, Foundation, Profile as Of, Scene};
 
-/// Polynomials in `x`, each with the part of the beam that it is for.
+/// Polynomials in `x`, each with its part of the beam.
 type Profile = Vec<([f64; 2], Polynomial)>;
 
-/// What is given of a beam. A place is a 64-bit number; all polynomials that are asked for count from the left end of their part.
+/// The data of a beam. Positions are 64-bit numbers. All polynomials that are returned count from the left end of their part.
 #[derive(Debug)]
 pub(super) struct Given {
     pub(super) length: f64,
-    /// `EI` from each place on.
+    /// `EI` on each part.
     bending: Vec<([f64; 2], RBig)>,
-    /// Joints, with their stiffness; a hinge has none.
+    /// Joints with their stiffness; a hinge has none.
     pub(super) joints: Vec<(f64, Option<RBig>)>,
     /// `N`, zero without tension.
     pub(super) tension: RBig,
-    /// `k` of ground that gives, in parts; none on rigid ground.
+    /// `k` of an elastic foundation, in parts; empty for a rigid one.
     soil: Vec<([f64; 2], RBig)>,
     loads: Profile,
     /// Point loads and couples.
     acting: Vec<(f64, [RBig; 2])>,
     ground: Profile,
     shape: Profile,
-    /// Single places that the beam may not be below: supports that only push, and the edge of a step at an end of the beam.
+    /// Single positions that the beam must not be below: rigid compression-only supports, and the edge of a step at an end of the beam.
     alone: Vec<(f64, RBig)>,
     pub(super) supports: Vec<Support>,
-    /// Supports that give, of those that only push the ones that are pressed.
+    /// Elastic supports; of the compression-only ones, those that are pressed.
     pub(super) elastic: Vec<Elastic>,
-    /// All places at which a formula may change, from left to right; and those of them at which that of a hanging beam does.
+    /// All positions at which a formula may change, from left to right; and those at which the formula of a beam without contact changes.
     breaks: Vec<f64>,
     hanging_breaks: Vec<f64>,
 }
 
-/// What a support asks.
+/// A rigid support, or a pressed compression-only one.
 #[derive(Debug)]
 pub(super) struct Support {
     pub(super) x: f64,
     pub(super) level: RBig,
-    /// The slope that it holds.
+    /// The slope that it prescribes.
     pub(super) slope: Option<RBig>,
-    /// A spring against turning, `k_t` and `φ`.
+    /// A rotational spring, `k_t` and `φ`.
     pub(super) turning: Option<[RBig; 2]>,
-    /// Whether the ground on its left and on its right begins at its level, and in its direction.
+    /// Whether the foundation to the left and to the right begins at its level and in its direction.
     pub(super) tangent: [bool; 2],
     pub(super) pushes_only: bool,
 }
 
-/// A support that gives: `R = k_s (v − d)`, and `M` jumps by `−k_t (v' − φ)`.
+/// An elastic support: `R = k_s (v − d)`, and `M` jumps by `−k_t (v' − φ)`.
 #[derive(Debug)]
 pub(super) struct Elastic {
     pub(super) x: f64,
@@ -103,14 +103,14 @@ fn sorted(places: impl Iterator<Item = f64>, l: f64) -> Vec<f64> {
 }
 
 impl Given {
-    /// Terms of a power series beyond the cubic where there is tension, on parts that are cut for it.
+    /// Number of power series terms beyond the cubic under tension, on parts that are short enough for it.
     pub(super) const TERMS: usize = 9;
 
-    /// The beam of a scene, of whose supports that only push those `press`.
+    /// The beam of a scene. `press` are the positions of the compression-only supports that are pressed.
     ///
     /// # Errors
     ///
-    /// [`Unproven::Cosine`], and [`Unproven::AboveSupport`] where nothing is admissible without rounding.
+    /// [`Unproven::Cosine`], and [`Unproven::AboveSupport`] if nothing is admissible without rounding.
     pub(super) fn of(scene: &Scene, press: &[f64]) -> Result<Self, Unproven> {
         let (beam, load, l) = (scene.beam(), scene.load(), scene.beam().length());
         let soil = scene.ground_parts().map(|(ends, k)| (ends, exactly(k))).collect();
@@ -146,9 +146,9 @@ impl Given {
         Ok(given)
     }
 
-    /// Cuts what hangs so that a power series has the digits that it needs.
+    /// Cuts parts without contact so short that a power series has enough digits.
     fn cut_for_tension(&mut self, scene: &Scene) {
-        /// Parts of the length `√(EI/N)` over which a beam in tension decays: with [`TERMS`](Self::TERMS) the series is off by 1e-14.
+        /// Parts per length `√(EI/N)`, over which a beam in tension decays. With [`TERMS`](Self::TERMS) the series has an error of 1e-14.
         const PARTS: f64 = 2.0;
         let decays = libm::sqrt(self.tension.to_f64().value().abs() / scene.beam().bending_stiffness());
         let count = libm::ceil(PARTS * self.length * decays);
@@ -156,7 +156,7 @@ impl Given {
         self.hanging_breaks = sorted(self.hanging_breaks.iter().copied().chain(places), self.length);
     }
 
-    /// The edges of steps at the ends of the beam, where there is no part of the beam on the other side.
+    /// Records the edges of steps at the ends of the beam, where there is no part of the beam on the other side.
     fn edges(&mut self, scene: &Scene) {
         let Some(Foundation::Polyline { points }) = scene.foundation().filter(|_| !self.is_on_soil()) else {
             return;
@@ -169,7 +169,7 @@ impl Given {
         }
     }
 
-    /// The supports.
+    /// Records the supports.
     fn stand(&mut self, scene: &Scene, press: &[f64]) -> Result<(), Unproven> {
         let tangents = scene.held();
         let all = scene.beam().all_supports();
@@ -199,12 +199,12 @@ impl Given {
         Ok(())
     }
 
-    /// `w0` and `w0'` at a place.
+    /// `w0` and `w0'` at a position.
     fn own(&self, x: f64) -> [RBig; 2] {
         on(&self.shape, self.beside(x, 0.0 < x)).map_or([RBig::ZERO, RBig::ZERO], |shape| jet(shape, &exactly(x)))
     }
 
-    /// The ends of the part beside a place.
+    /// The ends of the part to the left or to the right of a position.
     fn beside(&self, x: f64, left: bool) -> [f64; 2] {
         let next = if left {
             self.breaks.partition_point(|y| *y < x).checked_sub(1).and_then(|i| self.breaks.get(i))
@@ -214,18 +214,18 @@ impl Given {
         next.map_or([x, f64::INFINITY], |y| [x.min(*y), x.max(*y)])
     }
 
-    /// Whether the ground gives.
+    /// Whether the foundation is elastic.
     pub(super) fn is_on_soil(&self) -> bool {
         !self.soil.is_empty()
     }
 
-    /// `k` on a part without a break; zero on rigid ground.
+    /// `k` on a part without a break; zero on a rigid foundation.
     pub(super) fn soil(&self, ends: [f64; 2]) -> RBig {
         let i = self.soil.partition_point(|(part, _)| part[1] < ends[1]);
         self.soil.get(i).or(self.soil.last()).map_or(RBig::ZERO, |(_, k)| k.clone())
     }
 
-    /// `g` on a part without a break; none without ground.
+    /// `g` on a part without a break; [`None`] without a foundation.
     pub(super) fn gap(&self, ends: [f64; 2]) -> Option<Polynomial> {
         if self.is_on_soil() && self.soil(ends).is_zero() {
             return None;
@@ -234,18 +234,18 @@ impl Given {
         Some(shifted(&gap, &exactly(ends[0])))
     }
 
-    /// `g` and its derivatives on one side of a place, as a polynomial about it.
+    /// `g` and its derivatives on one side of a position, as a polynomial about it.
     pub(super) fn about(&self, x: f64, left: bool) -> Option<Polynomial> {
         let ends = self.beside(x, left);
         Some(shifted(&self.gap(ends)?, &(exactly(x) - exactly(ends[0]))))
     }
 
-    /// `g` and `g'` on one side of a place.
+    /// `g` and `g'` on one side of a position.
     pub(super) fn side(&self, x: f64, left: bool) -> Option<[RBig; 2]> {
         Some(jet(&self.about(x, left)?, &RBig::ZERO))
     }
 
-    /// `g(x)` of what does not give: at a step the smaller of the two, and that of a support that only pushes.
+    /// `g(x)` of everything rigid: at a step the smaller of the two gaps, or the gap of a compression-only support.
     pub(super) fn depth(&self, x: f64) -> Option<RBig> {
         let sides = [true, false].into_iter().filter(|_| !self.is_on_soil());
         let sides = sides.filter_map(|left| self.side(x, left)).map(|[g, _]| g);
@@ -258,17 +258,17 @@ impl Given {
         &self.bending[i].1
     }
 
-    /// `EI` on one side of a place.
+    /// `EI` on one side of a position.
     pub(super) fn bending_beside(&self, x: f64, left: bool) -> &RBig {
         self.bending(self.beside(x, left))
     }
 
-    /// The joint at a place.
+    /// The joint at a position.
     pub(super) fn joint(&self, x: f64) -> Option<&Option<RBig>> {
         self.joints.iter().find(|joint| joint.0 == x).map(|joint| &joint.1)
     }
 
-    /// What turns with the beam at a place, or holds its slope with a spring: `k_t` and `φ`.
+    /// The rotational spring at a position: `k_t` and `φ`.
     pub(super) fn turning(&self, x: f64) -> Option<&[RBig; 2]> {
         let springs = self.elastic.iter().map(|spring| (spring.x, &spring.turning));
         let supports = self.supports.iter().map(|support| (support.x, &support.turning));
@@ -286,7 +286,7 @@ impl Given {
         shifted(&acts.fold(Vec::new(), |sum, (_, q)| plus(&sum, &RBig::ONE, q)), &exactly(ends[0]))
     }
 
-    /// The point load and the couple at a place.
+    /// The point load and the couple at a position.
     pub(super) fn acting(&self, x: f64) -> [RBig; 2] {
         let here = self.acting.iter().filter(|acts| acts.0 == x);
         here.fold([RBig::ZERO, RBig::ZERO], |[force, couple], (_, acts)| [force + &acts[0], couple + &acts[1]])
@@ -297,7 +297,7 @@ impl Given {
         force
     }
 
-    /// What is between two places, in parts without a break; of a beam that hangs, if that is all that counts.
+    /// The parts without a break between two positions. With `hangs` only breaks that affect a beam without contact count.
     pub(super) fn parts(&self, [from, to]: [f64; 2], hangs: bool) -> Vec<[f64; 2]> {
         let breaks = if hangs { &self.hanging_breaks } else { &self.breaks };
         let inside = breaks.iter().copied().filter(|x| from < *x && *x < to);

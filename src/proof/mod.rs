@@ -1,7 +1,7 @@
-//! A proof of an answer, in fractions, that anybody can check: a deflection and a moment field, polynomials on cells.
+//! A proof of an answer in rational arithmetic that anybody can check: a deflection and a moment field, polynomials on cells.
 //!
-//! `v` is a deflection that the scene admits, and `M` are moments in equilibrium with the loads and with contact forces that only press.
-//! Both energies follow from them without rounding, and the energy of the true beam lies between:
+//! `v` is an admissible deflection of the scene. The moments `M` are in equilibrium with the loads and with compressive contact
+//! forces. Both give an energy without rounding, and the energy of the true beam lies between them:
 //!
 //! ```text
 //! J(v) = ½∫EI v''² + ½∫N v'² − ∫q v − ΣP v − ΣC v' + ½∫k (v − g)₊² + ½Σk (v − d)² + ½Σk (v' − φ)² + ½Σk [v']²
@@ -9,13 +9,16 @@
 //! p = M'' + q + N v'' ≥ 0,  F = [M'] + N [v'] + P,  T = [M] − C,     D ≤ J* ≤ J
 //! ```
 //!
-//! The program `report/check.rs` reads a scene file and a proof, knows nothing of this library, and believes neither.
+//! The program `report/check.rs` reads a scene file and a proof. It shares no code with this library, and checks the proof against
+//! the scene.
 //!
-//! The places of contact are those of the exact answer, as they are. On rigid ground (`contact_nodes`) the beam is the ground in its zones
-//! and the exact beam in its spans, with slopes that follow from the places. On ground that gives (`stretches`) it has the polynomials of
-//! the answer, and cubics that make the ends of cells meet. `span` has the beam between two places, `equilibrium` its moments, `assembly` the
-//! cells: what rounding leaves in the ground is lifted out of it. What pulls by rounding is not repaired, and there is no proof then.
-//! Under tension the beam is no polynomial: `v` is one of many terms on short parts, and the bracket says how close it is.
+//! The contact positions are those of the exact answer, unchanged. On a rigid foundation (`contact_nodes`) the beam follows the
+//! foundation in its zones and is the exact beam in its spans, with slopes computed from the positions. On an elastic foundation
+//! (`stretches`) it has the polynomials of the answer, and cubics that join the ends of cells. `span` computes the beam between two
+//! positions, `equilibrium` its moments, and `assembly` the cells. A deflection that penetrates the foundation by rounding is lifted.
+//! Two cases of tension by rounding are repaired: a contact point on a rigid foundation is dropped, and a pressure on an elastic
+//! foundation is corrected. For any other tension there is no proof. Under an axial force the beam is no polynomial: `v` has many
+//! terms on short parts, and the bracket shows how close it is.
 
 mod assembly;
 mod contact_nodes;
@@ -35,84 +38,84 @@ use crate::theory::Exact;
 /// A deflection and a moment field that prove a bracket for the energy.
 #[derive(Debug, Clone)]
 pub struct Fields {
-    /// From the left end of the beam to its right end.
+    /// The cells from the left end of the beam to its right end.
     pub cells: Vec<Cell>,
-    /// Whether the deflection that the contacts make was below the surface of the ground, and is lifted.
+    /// Whether the deflection for these contacts penetrated the foundation, and was lifted or counts as pressed there.
     pub is_lifted: bool,
 }
 
 /// A part of the beam.
 #[derive(Debug, Clone)]
 pub struct Cell {
-    /// Where it begins and where it ends \[length\].
+    /// The positions where it begins and ends \[length\].
     pub ends: [RBig; 2],
     /// Coefficients of `v` in powers of `x − from` \[length, 1, …\].
     pub deflection: Vec<RBig>,
-    /// Those of `M` \[force · length, force, …\].
+    /// Coefficients of `M` in the same powers \[force · length, force, …\].
     pub moment: Vec<RBig>,
-    /// Whether the ground may press on it.
+    /// Whether the foundation may press on it.
     pub pressed: bool,
 }
 
-/// Why there is no proof of an answer.
+/// The reason why there is no proof of an answer.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum Unproven {
-    /// A cosine has no value that is a fraction.
+    /// A cosine has irrational values.
     #[error("`{}.cosine` has no values in fractions; a proof needs a polynomial, a polyline or a survey", of.path())]
     Cosine {
-        /// Which profile has it.
+        /// The profile with the cosine.
         of: Profile,
     },
-    /// Exactly taken there is no admissible deflection.
+    /// In rational arithmetic no deflection is admissible.
     #[error(
         "at x = {at} the ground is above the support by less than rounding; in fractions no deflection is possible"
     )]
     AboveSupport {
-        /// The support \[length\].
+        /// The position of the support \[length\].
         at: f64,
     },
     /// The scene leaves the range of `f64` when it is scaled.
     #[error(transparent)]
     Scene(#[from] SceneError),
-    /// The answer is no solution.
+    /// The answer does not satisfy all conditions of beam theory.
     #[error("the answer does not meet all conditions of beam theory, so there is nothing to prove")]
     NoSolution,
-    /// Places of contact that are not in order, or have no ground.
+    /// Contact positions that are not in order, or where there is no foundation.
     #[error("the contact at x = {at} is not one that a beam can have")]
     Place {
-        /// The contact \[length\].
+        /// The position of the contact \[length\].
         at: f64,
     },
-    /// Nothing says at which slope the beam rests.
+    /// The slope of the beam, or of a part of it, is not determined.
     #[error("the beam may turn about x = {at}, or no contact holds it")]
     Turns {
-        /// The only place that holds it \[length\].
+        /// A node of that part, or NaN if none is known \[length\].
         at: f64,
     },
-    /// Ground with a kink inside a zone, by rounding.
+    /// The foundation has a kink inside a contact zone, by rounding.
     #[error(
         "at x = {at} the ground has a kink by rounding inside a contact zone; in fractions the beam cannot follow it"
     )]
     Kink {
-        /// The kink \[length\].
+        /// The position of the kink \[length\].
         at: f64,
     },
-    /// A pressure or force of contact that is in tension.
+    /// A contact pressure or contact force is in tension.
     #[error("at x = {at} the contact would be in tension by rounding")]
     Tension {
-        /// Where \[length\].
+        /// The position \[length\].
         at: f64,
     },
-    /// A couple at a place where nothing exerts one.
+    /// The moment jumps at a position where nothing exerts a couple.
     #[error("at x = {at} the moment jumps by rounding where nothing exerts a couple")]
     Couple {
-        /// Where \[length\].
+        /// The position \[length\].
         at: f64,
     },
-    /// A deflection that stays below the surface of the ground.
+    /// A deflection penetrates the foundation and cannot be lifted.
     #[error("between x = {} and x = {} the deflection cannot be lifted out of the ground", .ends[0], .ends[1])]
     InGround {
-        /// The span \[length\].
+        /// The ends of the span \[length\].
         ends: [f64; 2],
     },
 }
@@ -134,7 +137,7 @@ pub enum Unproven {
 ///
 /// # Errors
 ///
-/// [`Unproven`] says why there is no proof.
+/// [`Unproven`] gives the reason why there is no proof.
 pub fn prove(scene: &Scene, exact: &Exact) -> Result<Fields, Unproven> {
     if !exact.solved {
         return Err(Unproven::NoSolution);
@@ -152,11 +155,12 @@ pub fn prove(scene: &Scene, exact: &Exact) -> Result<Fields, Unproven> {
     }
 }
 
-/// What a list of contacts proves on rigid ground, from any source: only their places count, and all springs that only push are pressed.
+/// The proof from a list of contacts on a rigid foundation, from any source. Only the positions are used, and all elastic
+/// compression-only supports count as pressed.
 ///
 /// # Errors
 ///
-/// [`Unproven`] says why there is no proof.
+/// [`Unproven`] gives the reason why there is no proof.
 pub fn of_contacts(scene: &Scene, contacts: &[Contact]) -> Result<Fields, Unproven> {
     scene.on_rigid_ground("a proof from a list of contacts")?;
     of_places(scene, contacts, None)
@@ -169,13 +173,14 @@ fn of_places(scene: &Scene, contacts: &[Contact], exact: Option<&Exact>) -> Resu
         |at: &f64| exact.is_none_or(|exact| exact.state.supports.iter().any(|s| is_at(s.at, *at) && 0.0 < s.force));
     let press: Vec<f64> = stops.iter().copied().filter(pushes).collect();
     let given = Given::of(scene, &press)?;
-    // A stop is a spring, and no place of the ground.
+    // A stop is a spring, not a contact with the foundation.
     let is_stop = |contact: &Contact| contact.to <= contact.from && stops.iter().any(|at| is_at(*at, contact.from));
     let mut contacts: Vec<Contact> = contacts.iter().filter(|contact| !is_stop(contact)).cloned().collect();
     loop {
         let proven = given.nodes(&contacts, exact).and_then(|nodes| given.assembled(&nodes));
         let Err(Unproven::Tension { at }) = proven else { return proven };
-        // A point that carries nothing may be in tension by rounding; the beam is lifted above it instead.
+        // A contact point without force may be in tension by rounding. The point is dropped, and the beam is lifted above it if
+        // necessary.
         let before = contacts.len();
         contacts.retain(|contact| contact.from < contact.to || contact.from < at || at < contact.from);
         if contacts.len() == before {

@@ -1,23 +1,23 @@
-//! Polynomials with fractions for coefficients, from the lowest on.
+//! Polynomials with rational coefficients, from the lowest power on.
 
 use dashu_ratio::RBig;
 
 /// `Σ c_j sʲ`.
 pub(super) type Polynomial = Vec<RBig>;
 
-/// A 64-bit number as the fraction that it is; the numbers of a scene are finite.
+/// A 64-bit number as a fraction, without rounding. The numbers of a scene are finite.
 pub(super) fn exactly(value: f64) -> RBig {
     RBig::try_from(value).unwrap_or(RBig::ZERO)
 }
 
-/// The 64-bit number next to a fraction.
+/// The 64-bit number nearest to a fraction.
 pub(super) fn short(of: &RBig) -> RBig {
     exactly(of.to_f64().value())
 }
 
-/// A sum of 64-bit numbers next to a fraction, of sixty digits: what is made of it stays short.
+/// A sum of 64-bit numbers near a fraction, with sixty digits. Results computed from it stay short.
 pub(super) fn trimmed(of: &RBig) -> RBig {
-    /// So many that a beam in tension has digits of 64 bits after a hundred lengths over which it decays.
+    /// Enough for a beam in tension to have the digits of 64 bits after a hundred decay lengths.
     const TERMS: usize = 4;
     (0..TERMS).fold(RBig::ZERO, |sum, _| &sum + short(&(of - &sum)))
 }
@@ -27,17 +27,17 @@ pub(super) fn magnitude(of: &RBig) -> RBig {
     if *of < RBig::ZERO { -of } else { of.clone() }
 }
 
-/// Its value at a place.
+/// The value of `p` at `s`.
 pub(super) fn at(p: &[RBig], s: &RBig) -> RBig {
     p.iter().rev().fold(RBig::ZERO, |sum, c| sum * s + c)
 }
 
-/// Its value and its slope at a place.
+/// The value and the slope of `p` at `s`.
 pub(super) fn jet(p: &[RBig], s: &RBig) -> [RBig; 2] {
     [at(p, s), at(&derivative(p), s)]
 }
 
-/// Its derivative.
+/// The derivative of `p`.
 pub(super) fn derivative(p: &[RBig]) -> Polynomial {
     (1..).zip(p.iter().skip(1)).map(|(j, c)| c * RBig::from(j)).collect()
 }
@@ -68,7 +68,7 @@ pub(super) fn shifted(p: &[RBig], by: &RBig) -> Polynomial {
     shifted
 }
 
-/// The polynomial with given values and slopes at `0` and `l`, and with these coefficients from the fourth on.
+/// The polynomial with the given values and slopes at `0` and `l`, and the given coefficients from the fourth power on.
 pub(super) fn between([[y0, d0], [y1, d1]]: [&[RBig; 2]; 2], tail: &[RBig], l: &RBig) -> Polynomial {
     let mut p = vec![y0.clone(), d0.clone(), RBig::ZERO, RBig::ZERO];
     p.extend_from_slice(tail);
@@ -79,9 +79,10 @@ pub(super) fn between([[y0, d0], [y1, d1]]: [&[RBig; 2]; 2], tail: &[RBig], l: &
     p
 }
 
-/// Whether `p ≥ 0` from `0` to `l`: its Bernstein coefficients are not negative, on halves of halves. False if that is open.
+/// Whether `p ≥ 0` from `0` to `l`: repeated halving must make all Bernstein coefficients non-negative. False if the halving does not
+/// decide.
 pub(super) fn is_nowhere_negative(p: &[RBig], l: &RBig) -> bool {
-    /// Parts of this share of the whole are as small as rounding is in 64 bits.
+    /// Parts of this fraction of the whole are as small as the rounding of 64-bit numbers.
     const HALVINGS: u32 = 60;
     // The coefficients b_k = Σ_j C(k, j) d_j from d_j = c_j lʲ/C(n, j).
     let mut share = RBig::ONE;
@@ -100,11 +101,11 @@ fn halved(mut form: Polynomial, halvings: u32) -> bool {
     if form.iter().all(|b| RBig::ZERO <= *b) {
         return true;
     }
-    // The first and the last of them are values.
+    // The first and the last coefficient are values of `p`.
     if halvings == 0 || [form.first(), form.last()].into_iter().flatten().any(|b| *b < RBig::ZERO) {
         return false;
     }
-    // De Casteljau's algorithm: the first ones are those of the left half, and what remains those of the right half.
+    // De Casteljau's algorithm: the first coefficients belong to the left half, and the remaining ones to the right half.
     let mut left = vec![form[0].clone()];
     for j in (1..form.len()).rev() {
         (0..j).for_each(|k| form[k] = (&form[k] + &form[k + 1]) / RBig::from(2));

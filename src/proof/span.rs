@@ -1,4 +1,5 @@
-//! The beam between two places, in fractions: what hangs there, with loads, changes of the stiffness, joints and springs on the way.
+//! The beam between two positions in rational arithmetic: a part without contact, with its loads, changes of stiffness, joints and
+//! springs.
 //!
 //! ```text
 //! v' = ψ      ψ' = −M/EI      M' = V      (V + N v')' = −q
@@ -22,7 +23,7 @@ pub(super) fn width([from, to]: [f64; 2]) -> RBig {
 /// `v, ψ, M, V`.
 type State = [RBig; 4];
 
-/// What is known of a hanging beam.
+/// The computed beam between two positions.
 #[derive(Debug)]
 pub(super) struct Span {
     pub(super) curve: Curve,
@@ -30,7 +31,7 @@ pub(super) struct Span {
     pub(super) moments: [RBig; 2],
 }
 
-/// What hangs between two places, of which one or both may be free ends.
+/// The beam between two positions, of which one or both may be free ends.
 #[derive(Debug)]
 pub(super) struct Hanging<'a> {
     given: &'a Given,
@@ -48,7 +49,7 @@ impl<'a> Hanging<'a> {
         Self { given, parts, hinges, is_free }
     }
 
-    /// Coefficients of `v` on a part, from what is known at its left end.
+    /// Coefficients of `v` on a part, from the state at its left end.
     fn series(&self, part: [f64; 2], [v, slope, moment, shear]: State, is_loaded: bool) -> Polynomial {
         let (given, stiffness) = (self.given, self.given.bending(part));
         let load = if is_loaded { given.load(part) } else { Vec::new() };
@@ -62,7 +63,7 @@ impl<'a> Hanging<'a> {
         p
     }
 
-    /// Beyond a place; a hinge turns by `turn`.
+    /// The state beyond a position; `turn` is the rotation of a hinge.
     fn across(&self, x: f64, [v, mut slope, mut moment, mut shear]: State, turn: &RBig, is_loaded: bool) -> State {
         let given = self.given;
         let off = |value: &RBig, zero: &RBig| if is_loaded { value - zero } else { value.clone() };
@@ -82,7 +83,7 @@ impl<'a> Hanging<'a> {
         [v, slope, moment, shear]
     }
 
-    /// The states at both ends of each part, from that at the left end of the first.
+    /// The states at both ends of each part, from the state at the left end of the first part.
     fn march(&self, start: State, turns: &[RBig], is_loaded: bool) -> Vec<[State; 2]> {
         let mut states = Vec::new();
         let mut state = start;
@@ -104,7 +105,7 @@ impl<'a> Hanging<'a> {
         states
     }
 
-    /// What has to be zero: at the right end, and the moments in hinges.
+    /// The quantities that must be zero: the errors at the right end, and the moments in hinges.
     fn misfit(&self, states: &[[State; 2]], end: &[RBig; 2], is_loaded: bool) -> Vec<RBig> {
         let last = &states[states.len() - 1][1];
         let mut misfit: Vec<RBig> = self.hinges.iter().map(|hinge| states[*hinge][1][2].clone()).collect();
@@ -118,7 +119,7 @@ impl<'a> Hanging<'a> {
         misfit
     }
 
-    /// At the left end, with the unknowns there: `M` and `V`, or `v` and `ψ` of a free end.
+    /// The state at the left end, with the unknowns there: `M` and `V`, or `v` and `ψ` of a free end.
     fn start(&self, [v, slope]: &[RBig; 2], [one, two]: [&RBig; 2], is_loaded: bool) -> State {
         if self.is_free[0] {
             let from = self.parts[0][0];
@@ -128,7 +129,7 @@ impl<'a> Hanging<'a> {
         [v.clone(), slope.clone(), one.clone(), two.clone()]
     }
 
-    /// The states with `v` and `ψ` at its ends, of which those of a free end do not count; none if it may move freely.
+    /// The states for given `v` and `ψ` at both ends, which are ignored at a free end. [`None`] if the beam can move freely.
     fn states(&self, ends: &[[RBig; 2]; 2], is_loaded: bool) -> Option<Vec<[State; 2]>> {
         let (zero, count) = (RBig::ZERO, 2 + self.hinges.len());
         let none = [RBig::ZERO, RBig::ZERO];
@@ -148,7 +149,7 @@ impl<'a> Hanging<'a> {
         Some(marched(&unknowns, &ends[0], is_loaded))
     }
 
-    /// The beam with `v` and `ψ` at its ends; none if it may move freely.
+    /// The beam for given `v` and `ψ` at both ends; [`None`] if it can move freely.
     pub(super) fn span(&self, ends: &[[RBig; 2]; 2]) -> Option<Span> {
         let states = self.states(ends, true)?;
         let last = states.len() - 1;
@@ -167,7 +168,7 @@ impl<'a> Hanging<'a> {
         Some(Span { curve, moments: [start, end] })
     }
 
-    /// By how much the moments at its ends grow with the slopes there: `∂M_a/∂ψ_a, ∂M_a/∂ψ_b, −∂M_b/∂ψ_b`.
+    /// The increase of the end moments with the end slopes: `∂M_a/∂ψ_a, ∂M_a/∂ψ_b, −∂M_b/∂ψ_b`.
     pub(super) fn stiffness(&self) -> Option<[f64; 3]> {
         if let ([part], [false, false], true) = (&self.parts[..], self.is_free, self.given.tension.is_zero()) {
             let unit = self.given.bending(*part).to_f64().value() / width(*part).to_f64().value();
@@ -186,7 +187,7 @@ impl<'a> Hanging<'a> {
     }
 }
 
-/// `x` of `A x = b`, by elimination with the largest pivots; `b` is the last column. None if it has no one solution.
+/// `x` of `A x = b`, by elimination with the largest pivots; `b` is the last column. [`None`] without a unique solution.
 pub(super) fn solved(mut rows: Vec<Vec<RBig>>) -> Option<Vec<RBig>> {
     let count = rows.len();
     for k in 0..count {
@@ -206,7 +207,7 @@ pub(super) fn solved(mut rows: Vec<Vec<RBig>>) -> Option<Vec<RBig>> {
     Some(rows.into_iter().map(|mut row| row.swap_remove(count)).collect())
 }
 
-/// `v` and `v'` at a place of a curve, on the left of it.
+/// `v` and `v'` at a position on a curve, on its left side.
 pub(super) fn on_curve(curve: &Curve, x: f64) -> [RBig; 2] {
     let i = curve.iter().position(|(part, _)| x <= part[1]).unwrap_or(curve.len() - 1);
     let (part, v) = &curve[i];

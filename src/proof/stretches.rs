@@ -1,4 +1,4 @@
-//! Where a beam on ground that gives is held: the ends of the parts on which it is pressed, and its supports.
+//! The nodes of a beam on an elastic foundation: the ends of the parts on which it is pressed, and its supports.
 
 use dashu_ratio::RBig;
 
@@ -8,14 +8,14 @@ use super::polynomial::{Polynomial, exactly, short};
 use crate::certificate::Stretch;
 use crate::scene::Scale;
 
-/// A penetration that is less than this share of the largest coefficient is none: there are as many digits of where a beam lifts off.
+/// A penetration below this fraction of the largest one counts as zero, because lift-off positions have this many digits.
 const SURFACE: f64 = 1e-10;
 
-/// What is so much less than the largest term of a polynomial is left out of it: the bracket has its square.
+/// Terms below this fraction of the largest term of a polynomial are left out. The bracket contains the square of the error.
 const NOTHING: f64 = 1e-20;
 
 impl Given {
-    /// The nodes of a beam that is pressed on stretches, in dimensionless numbers, from end to end.
+    /// The nodes of a beam that is pressed on the given stretches, from end to end. The stretches are dimensionless.
     pub(super) fn nodes_of_stretches(&self, stretches: &[Stretch], scale: &Scale) -> Vec<HoldingNode> {
         let mut nodes: Vec<HoldingNode> = Vec::new();
         let is_pressed = |i: Option<usize>| i.and_then(|i| stretches.get(i)).filter(|part| !part.sunk.is_empty());
@@ -30,7 +30,7 @@ impl Given {
             if left.is_some() || right.is_some() {
                 self.press(&mut node, [left, right], scale);
                 if self.joint(x).is_some() {
-                    // What hangs on one side of a joint has a slope of its own.
+                    // A part without contact on one side of a joint has its own slope.
                     let beside = [i.checked_sub(1).and_then(|i| stretches.get(i)), stretches.get(i)];
                     for (side, stretch) in beside.into_iter().enumerate() {
                         if let Some(part) = stretch.filter(|part| part.sunk.is_empty()) {
@@ -44,12 +44,12 @@ impl Given {
         nodes
     }
 
-    /// Deflection, slope, moment and shear at an end of one or two pressed parts.
+    /// Sets deflection, slope, moment and shear at an end of one or two pressed parts.
     fn press(&self, node: &mut HoldingNode, beside: [Option<&Stretch>; 2], scale: &Scale) {
         let x = node.x;
         let l = scale.length;
         let units = [0, 1, 2, 3].map(|j| scale.depth / [1.0, l, l * l, l * l * l][j]);
-        // The derivatives of v on a side, and those of v − g.
+        // The derivatives of v on each side, from those of g and of v − g.
         let sides = [0, 1].map(|side| {
             let part = beside[side]?;
             let sunk = part.ends[1 - side];
@@ -62,7 +62,7 @@ impl Given {
             }))
         });
         let Some(one) = sides[1].as_ref().or(sides[0].as_ref()) else { return };
-        // Where it lifts off, and is not held up by an edge, it is at the surface.
+        // Where the beam lifts off, and no edge pushes it up, it is at the surface.
         let ends = beside
             .iter()
             .flatten()
@@ -99,7 +99,7 @@ impl Given {
     }
 }
 
-/// The polynomial of a part in the units of the scene, without what does not count.
+/// The polynomial of a part in the units of the scene, without negligible terms.
 fn coefficients(part: &Stretch, scale: &Scale) -> Polynomial {
     let l = part.to - part.from;
     let mut power = 1.0;

@@ -1,18 +1,20 @@
-//! Grids that have a node wherever the scene breaks.
+//! Grids with a node at every break of the scene: kinks, steps and point loads.
 //!
-//! A kink, a step or a point load between two nodes is an error of first order in the spacing; at a node it is none. Of two
-//! grids of about the same size the one with these places among its nodes is better by orders of magnitude.
+//! A break between two nodes causes an error of first order in the spacing. A break at a node causes none. Of two grids of about the
+//! same size, the grid with the breaks among its nodes is better by orders of magnitude.
 
 use crate::scene::{Foundation, Grid, Scene};
 
-/// The most equal intervals that are tried; a grid this fine has little to gain.
+/// Largest number of equal intervals that is tried. On a grid this fine there is little left to gain.
 const MOST: u32 = 1000;
 
-/// A node is at a place if it is nearer than this share of the beam: some units in the last place.
+/// A node is at a position if their distance is below this fraction of the beam length: a few units in the last place.
 const AT: f64 = 1e-14;
 
-/// The least number of equal intervals with a node at every place where foundation or load break, or at least at every one
-/// where the foundation does, and always at every support, joint and change of the bending stiffness; an even number, so that a symmetrical beam has a node in its middle.
+/// The smallest even number of equal intervals with a node at every break of foundation and load, so that a symmetrical beam has a
+/// node at midspan. If there is none, only breaks of the foundation are required to be nodes, and if there is still none, neither.
+/// Supports, joints and changes of the bending stiffness are always nodes. If even these need more than [`MOST`] intervals, the
+/// result is the coarsest grid that fits, or 2.
 pub(super) fn common_intervals(scene: &Scene) -> usize {
     let length = scene.beam().length();
     let mut foundation: Vec<f64> = match scene.foundation() {
@@ -21,7 +23,7 @@ pub(super) fn common_intervals(scene: &Scene) -> usize {
     };
     let mut all: Vec<f64> = Vec::new();
     all.extend(scene.load().places(length).map(|x| x / length));
-    // Supports inside, and places where the beam changes, have to be nodes, all else ought to be.
+    // Supports inside the beam and changes of the beam must be nodes; all other breaks should be.
     let beam = scene.beam();
     let mut inner: Vec<f64> = beam.all_supports().iter().map(|support| support.at / length).collect();
     inner.extend(beam.joints().iter().map(|joint| joint.at).chain(beam.changes()).map(|at| at / length));
@@ -39,7 +41,7 @@ pub(super) fn common_intervals(scene: &Scene) -> usize {
     usize::try_from(even).unwrap_or(2)
 }
 
-/// Whether the place, a share of the length, is a multiple of one part.
+/// Whether the position, a fraction of the length, is a multiple of one part.
 fn divides(x: f64, parts: u32) -> bool {
     let place = x * f64::from(parts);
     (place - place.round()).abs() <= AT * f64::from(parts)
@@ -77,7 +79,7 @@ mod tests {
             let load = Load::new(&beam, 0.0, Vec::new(), vec![PointLoad { at: std::f64::consts::PI, force: 1.0 }]);
             Scene::new(beam, load.expect("a load"), None).expect("a scene")
         };
-        // A load at no node of any grid does not matter, a support does.
+        // A load at which no grid has a node is ignored; such a support is not.
         for (places, common, step) in [
             ([0.0, 4.0, 10.0], 10, 5),
             ([0.0, 2.5, 6.0], 20, 20),

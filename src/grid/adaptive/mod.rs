@@ -1,21 +1,20 @@
-//! Adaptive grids: how accurate an answer has to be chooses the grid, not the other way round.
+//! Adaptive grids: the requested accuracy determines the grid.
 //!
 //! ```text
-//! error ≤ EPS · largest of its kind      guaranteed, for the continuous beam, with the least work
+//! error ≤ EPS · largest of its kind      proven, for the continuous beam, with the least work
 //! ```
 //!
-//! Grids are refined until the certificate of the answer is good enough. Which grid that will be is predicted from the
-//! observed order of convergence (module `plan`), nodes are put where the scene breaks (module `breaks`), and an iterative
-//! solver gets a tolerance no smaller than is of use. The guaranteed error contains that of the grid, of its nodal loads, of the
-//! solver and of rounding.
+//! The grid is refined until the proven error bound of the answer is small enough. The module `plan` predicts the next grid from the
+//! observed order of convergence. The module `breaks` puts nodes where the scene breaks. An iterative solver runs with the largest
+//! tolerance that is still useful. The proven bound covers the errors of the grid, its nodal loads, the solver and rounding.
 //!
 //! ```text
 //! residual              EPS/10, at least CERTIFIED_RESIDUAL     for the verdict
 //! tolerance             EPS/100, at least DEFAULT_TOLERANCE     of an iterative solver
 //! ```
 //!
-//! If such an answer does not meet this residual, or if its own contacts are the witness and cannot be proven, the solver runs with
-//! a smaller tolerance on the same grid before a finer one is tried.
+//! The solver runs again on the same grid with a smaller tolerance if its answer misses this residual. It also does so if the witness
+//! is the answer's own contacts and they cannot be proven. Only then is a finer grid tried.
 //!
 //! ```
 //! use palkki::adaptive::{Request, adapt};
@@ -33,8 +32,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Grids are of equal intervals. Grids graded towards lift-off would need fewer nodes for the same error, but methods and certificate
-//! have no such grids.
+//! All grids have equal intervals. Grids graded towards lift-off would need fewer nodes for the same error, but neither the methods
+//! nor the certificate support them.
 
 mod breaks;
 mod order;
@@ -51,22 +50,23 @@ use self::plan::{Next, Plan};
 
 pub use self::order::observed_order;
 
-/// A route, and the error that is demanded of it.
+/// A method, a solver and the error bound that their answer must satisfy.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Request {
-    /// Which of the paper's methods sets up the quadratic program.
+    /// The method of the paper that sets up the quadratic program.
     pub method: Method,
-    /// Which solver solves it.
+    /// The solver.
     pub solver: Solver,
-    /// `EPS`: the guaranteed error of the deflection and of each number of the summary, as a share of the largest of its kind. More
-    /// than [`USABLE`](crate::verdict::USABLE) counts as that, since no answer with a larger error is certified.
+    /// `EPS`: the largest allowed error bound of the deflection and of each number of the summary, relative to the largest value of
+    /// its kind. Values above [`USABLE`](crate::verdict::USABLE) are reduced to it, because no answer with a larger error is
+    /// certified.
     pub error: f64,
-    /// The finest grid to be tried.
+    /// The finest grid that is tried.
     pub most_intervals: usize,
 }
 
 impl Request {
-    /// A request with the finest grid on which the solver still ends within seconds.
+    /// A request whose finest grid is the finest on which the solver still ends within seconds.
     #[must_use]
     pub fn new(method: Method, solver: Solver, error: f64) -> Self {
         Self { method, solver, error, most_intervals: most_intervals(solver) }
@@ -77,7 +77,7 @@ impl Request {
         Demand::of_error(self.error)
     }
 
-    /// The first tolerance of an iterative solver: the same share of the demanded residual as on a fixed grid.
+    /// The first tolerance of an iterative solver: the same fraction of the demanded residual as on a fixed grid.
     fn tolerance(&self) -> f64 {
         if iterates(self.solver) {
             self.demand().residual * (DEFAULT_TOLERANCE / CERTIFIED_RESIDUAL)
@@ -87,7 +87,7 @@ impl Request {
     }
 }
 
-/// Whether the solver stops at a tolerance; the others end at an optimum or not at all.
+/// Whether the solver stops at a tolerance. The others end at an optimum or not at all.
 fn iterates(solver: Solver) -> bool {
     match solver {
         Solver::ActiveSet | Solver::FourStep => false,
@@ -99,8 +99,8 @@ fn iterates(solver: Solver) -> bool {
     }
 }
 
-/// The finest grid for a solver. The active set needs seconds there; answers of the libraries are no longer certified well before,
-/// and the four steps solve `n` times.
+/// The finest grid for a solver. The active set needs seconds there. The answers of the library solvers fail certification on much
+/// coarser grids, and the four-step solver solves `n` times.
 #[must_use]
 pub fn most_intervals(solver: Solver) -> usize {
     match solver {
@@ -124,14 +124,14 @@ pub struct Trial {
     pub tolerance: f64,
     /// Unknowns of the quadratic program.
     pub unknowns: usize,
-    /// Iterations in the solver's own count.
+    /// Iterations as the solver counts them.
     pub iterations: usize,
-    /// Unknowns that these went through.
+    /// Unknowns treated in all these iterations.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub work: usize,
     /// KKT residual of the discrete problem.
     pub residual: f64,
-    /// Guaranteed error of the deflection or of a number of the summary, over the largest of its kind: the worst of them.
+    /// Largest error bound of the deflection and the numbers of the summary, each relative to the largest value of its kind.
     pub error: f64,
     /// Whether the contacts of the beam were proven.
     #[cfg_attr(feature = "serde", serde(skip))]
@@ -139,7 +139,7 @@ pub struct Trial {
     /// Whether the solver reports success.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub reports_success: bool,
-    /// Why it is not enough; none if it is.
+    /// Why the answer is not good enough; [`None`] if it is.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub refusal: Option<Refusal>,
 }
@@ -147,34 +147,34 @@ pub struct Trial {
 /// How the search ended.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum End {
-    /// With an answer that is good enough.
+    /// The answer is good enough.
     #[error("reached")]
     Reached,
-    /// The next grid would be finer than the finest.
+    /// The next grid would be finer than the finest allowed one.
     #[error("not reached: {intervals} intervals are the limit of this route")]
     Limit {
         /// The finest grid.
         intervals: usize,
     },
-    /// The solves on all grids went through as many unknowns as they may.
+    /// The solves on all grids together have used up the allowed work.
     #[error(
         "not reached: up to {intervals} intervals, the solves have gone through {most} unknowns, which is their limit"
     )]
     Spent {
         /// The finest grid that was tried.
         intervals: usize,
-        /// Unknowns that they may go through.
+        /// The allowed number of unknowns treated.
         most: usize,
     },
-    /// The route does not solve its own discrete problem well enough.
+    /// The method and the solver do not solve their own discrete problem well enough.
     #[error("not reached: this route ends at {intervals} intervals, where its answer fails our check: {refusal}")]
     Failed {
-        /// On this grid.
+        /// The grid on which the check failed.
         intervals: usize,
-        /// Why.
+        /// The reason.
         refusal: Refusal,
     },
-    /// Finer grids do not make the error smaller: rounding, or something that cannot be proven.
+    /// Finer grids do not reduce the error, because of rounding or because something cannot be proven.
     #[error("not reached: up to {intervals} intervals, finer grids no longer reduce the proven error")]
     Stalled {
         /// The finest grid that was tried.
@@ -182,25 +182,25 @@ pub enum End {
     },
 }
 
-/// The best answer, and what it took.
+/// The best answer, and the grids that were tried to find it.
 #[derive(Debug, Clone)]
 pub struct Adapted {
-    /// Route, grid and tolerance of the answer.
+    /// Method, solver, grid and tolerance of the answer.
     pub settings: Settings,
     /// The answer: certified if and only if the demanded error is reached.
     pub solution: Solution,
     /// All grids, in the order in which they were tried.
     pub trials: Vec<Trial>,
-    /// How it ended.
+    /// How the search ended.
     pub end: End,
 }
 
-/// Chooses the grid for a scene and a route.
+/// Chooses the grid for a scene, a method and a solver.
 ///
 /// # Errors
 ///
-/// A [`SceneError`] if the scene leaves the range of `f64`. An error that cannot be reached is none: the best answer comes
-/// back, not certified, with the [`End`] that says why.
+/// A [`SceneError`] if the scene leaves the range of `f64`. An accuracy that cannot be reached is not an error: the function returns
+/// the best answer, not certified, with the [`End`] that gives the reason.
 pub fn adapt(scene: &Scene, request: &Request) -> Result<Adapted, SceneError> {
     let mut search = Search::new(scene, request);
     loop {
@@ -212,10 +212,10 @@ pub fn adapt(scene: &Scene, request: &Request) -> Result<Adapted, SceneError> {
     }
 }
 
-/// The search step by step, for a caller that measures the time of each.
+/// The search in single steps, for a caller that measures the time of each solve.
 #[derive(Debug)]
 pub struct Search<'a> {
-    /// One for all grids.
+    /// Shared by all grids.
     witness: Witness<'a>,
     request: Request,
     plan: Plan,
@@ -225,7 +225,7 @@ pub struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    /// Nothing is solved yet.
+    /// A search that has not solved anything yet.
     #[must_use]
     pub fn new(scene: &'a Scene, request: &Request) -> Self {
         let plan = Plan::new(scene, request);
@@ -239,14 +239,14 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// What to solve next.
+    /// The settings of the next solve.
     #[must_use]
     pub fn settings(&self) -> Settings {
         let (intervals, tolerance) = self.next;
         Settings { method: self.request.method, solver: self.request.solver, intervals, tolerance }
     }
 
-    /// Takes the answer for [`Search::settings`]; returns the best one when the search has ended.
+    /// Judges the answer for [`Search::settings`] and plans the next grid. Returns the best answer when the search has ended.
     pub fn record(&mut self, settings: Settings, raw: Solution<()>) -> Option<Adapted> {
         let solution = raw.judged(&self.witness, &self.request.demand());
         let verdict = &solution.verdict;
@@ -275,7 +275,8 @@ impl<'a> Search<'a> {
     }
 }
 
-/// What makes an answer better: that it is certified, that only its error is too large, and then a small error.
+/// The rank of an answer; lower is better. Certified answers come first, then answers whose only fault is too large an error, then
+/// all others. Within a class the smaller error is better.
 fn rank(verdict: &Verdict) -> (u8, f64) {
     let class = match verdict.refusal {
         None => 0,

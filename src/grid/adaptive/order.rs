@@ -1,4 +1,4 @@
-//! Order of convergence, measured.
+//! The observed order of convergence.
 
 /// The observed order of convergence: the slope of `ln e` over `ln h`, fitted to all pairs `(h, e)` by least squares.
 ///
@@ -6,8 +6,8 @@
 /// e ≈ c hᵖ,    p = Σ (ln hᵢ − m_h)(ln eᵢ − m_e) / Σ (ln hᵢ − m_h)²,    m: mean
 /// ```
 ///
-/// The sign of an error does not count. NaN if there is no slope to fit: fewer than two different `h`, an `h` that is not
-/// positive, an error that is zero or not finite. A comparison with NaN fails, so such a series passes no test.
+/// The sign of an error is ignored. The result is NaN if there is no slope to fit: fewer than two different `h`, an `h` that is not
+/// positive, or an error that is zero or not finite. Every comparison with NaN is false, so such a series passes no test.
 #[must_use]
 pub fn observed_order(errors: &[(f64, f64)]) -> f64 {
     // libm, because the logarithm of the standard library differs between platforms in its last digit.
@@ -22,7 +22,7 @@ pub fn observed_order(errors: &[(f64, f64)]) -> f64 {
         let step = h - mean_h;
         (covariance + step * (e - mean_e), variance + step * step)
     });
-    // One single h leaves 0/0, or, when the mean rounds, a variance of the size of rounding: both are no slope.
+    // A single `h` gives 0/0, or, if the mean is rounded, a variance of the size of rounding. Neither is a slope.
     let same = points.iter().all(|(h, _)| h.total_cmp(&points[0].0).is_eq());
     if same { f64::NAN } else { covariance / variance }
 }

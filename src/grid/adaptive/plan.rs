@@ -1,4 +1,4 @@
-//! Which grid comes next, from what the grids before it have shown.
+//! Plans the next grid of an adaptive search from the errors on the grids before it.
 //!
 //! With the order `p` of the last few errors, `e ≈ c N^−p`, the grid for the error `EPS` has
 //!
@@ -6,8 +6,8 @@
 //! N_next = N (e / EPS)^(1/p)
 //! ```
 //!
-//! intervals, a little more for certainty, and rounded up to a grid with nodes where the scene breaks. Far from its goal the
-//! search goes in steps: a prediction is no better than the order it rests on, and a coarse grid costs next to nothing
+//! intervals. A small margin is added, and the number is rounded up to a grid with nodes where the scene breaks. Far from the goal
+//! the refinement per step is limited: a prediction is only as good as the observed order, and a coarse grid costs next to nothing
 //! compared with one that is too fine.
 
 use super::order::observed_order;
@@ -18,71 +18,71 @@ use crate::scene::{Grid, Scene};
 use crate::solvers::MOST_WORK;
 use crate::verdict::{Demand, Refusal};
 
-/// Intervals of the first grid, about.
+/// Approximate number of intervals of the first grid.
 const START: usize = 8;
 
-/// Order that is assumed while only one error is known: nodal loads for distributed ones.
+/// Order assumed while only one error is known: the order of nodal loads that replace distributed loads.
 const ORDER: f64 = 2.0;
 
-/// Range to which a fitted order is limited. A kink or a step between nodes has the first or less; nothing here has more than the
-/// fourth.
+/// Range to which a fitted order is limited. A kink or a step between nodes gives first order or less. No method here exceeds fourth
+/// order.
 const ORDERS: [f64; 2] = [0.5, 4.0];
 
-/// Errors from which the order is fitted: three, because the distance of a lift-off point from the next node varies irregularly from
-/// grid to grid.
+/// Number of errors from which the order is fitted. Three, because the distance of a lift-off point from the nearest node varies
+/// irregularly from grid to grid.
 const FITTED: usize = 3;
 
-/// How many more intervals than predicted.
+/// Factor on the predicted number of intervals.
 const MARGIN: f64 = 1.1;
 
-/// A grid is finer than the one before by at least this, so that the errors of both give an order.
+/// Smallest refinement from one grid to the next, so that the two errors give an order.
 const LEAST_STEP: f64 = 1.4;
 
-/// Refinement while nothing is known of the error.
+/// Refinement while the error is unknown.
 const BLIND_STEP: f64 = 4.0;
 
-/// Refinement in which an error has to become half as large, at the latest. Lift-off points that happen to lie near nodes make
-/// a grid as good as one that is ten times as fine.
+/// Refinement within which the error must at least halve. Lift-off points that happen to lie near nodes can make a grid as good as
+/// one that is ten times as fine.
 const STALL: usize = 64;
 
-/// From this many intervals on the active set starts from a grid that is coarser by [`NESTED`]. A guess from a grid that has
-/// its nodes elsewhere is far worse: at a corner it can cost thousands of solves.
+/// From this number of intervals on, the active set starts from a grid that is coarser by [`NESTED`]. A guess from a grid whose nodes
+/// are elsewhere is far worse: at a corner it can cost thousands of solves.
 const FEW: usize = 1000;
-/// Refinement of those grids.
+/// Refinement between these grids.
 const NESTED: usize = 8;
-/// How much larger than predicted a grid may be for that.
+/// How much finer than predicted a grid may be so that its coarser grids fit.
 const NEAR: f64 = 1.1;
 
 /// Factor from a tolerance to the next smaller one.
 const STRICTER: f64 = 1e-3;
 
-/// What comes next.
+/// The next step of a search.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Next {
-    /// A grid, and the tolerance of an iterative solver.
+    /// Solve on a grid, with the tolerance of an iterative solver.
     Solve { intervals: usize, tolerance: f64 },
-    /// The end.
+    /// Stop.
     End(End),
 }
 
-/// What does not change during a search.
+/// The data that do not change during a search.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Plan {
-    /// Grids should be multiples of this.
+    /// Grids should be multiples of this number, so that the breaks of the scene are nodes.
     common: usize,
-    /// Grids have to be multiples of this, so that supports, joints and changes of the bending stiffness are nodes.
+    /// Grids must be multiples of this number, so that supports, joints and changes of the bending stiffness are nodes.
     step: usize,
     /// The finest grid.
     most: usize,
     demand: Demand,
     loose: f64,
-    /// The largest refinement at once.
+    /// Largest refinement in one step.
     refinement: f64,
 }
 
 impl Plan {
     pub(super) fn new(scene: &Scene, request: &Request) -> Self {
-        // Cost of the active set is proportional to the grid, that of the others to its square or cube.
+        // The cost of the active set is proportional to the grid, and the cost of the other solvers to its square or cube.
         let refinement = if request.solver == Solver::ActiveSet { 8.0 } else { 3.0 };
         let changes = scene.beam().joints().len() + scene.beam().changes().count();
         let step = if 0 < changes { Grid::least_fitting(scene) } else { Grid::step(scene) }.unwrap_or(1);
@@ -96,12 +96,12 @@ impl Plan {
         }
     }
 
-    /// The first grid, and the tolerance for it.
+    /// The first grid and its tolerance.
     pub(super) fn start(&self) -> (usize, f64) {
         (self.fitting(START).min(self.most), self.loose)
     }
 
-    /// What comes after these trials, of which there is at least one.
+    /// The step after these trials; without trials, the first grid.
     pub(super) fn next(&self, trials: &[Trial]) -> Next {
         let Some(last) = trials.last() else {
             let (intervals, tolerance) = self.start();
@@ -131,7 +131,7 @@ impl Plan {
         Next::Solve { intervals, tolerance: self.tolerance(trials, last) }
     }
 
-    /// The grid that the errors so far predict, at most a step away.
+    /// The grid that the errors so far predict, at most one step finer than the last one.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a positive number far below 2⁵³")]
     fn predicted(&self, trials: &[Trial], last: &Trial) -> usize {
         let aligned =
@@ -151,8 +151,8 @@ impl Plan {
         (as_number(last.intervals) * factor).ceil() as usize
     }
 
-    /// The next grid at or above this size with nodes where the scene breaks, unless that is far off; if possible one of which
-    /// the same is true for the coarser grids that the active set starts from.
+    /// The smallest grid of at least this size with nodes where the scene breaks, unless it is much finer. If possible, the coarser
+    /// grids from which the active set starts have these nodes too.
     fn fitting(&self, intervals: usize) -> usize {
         let nested = self.nested(intervals);
         let near = |multiple: usize, most: f64| {
@@ -162,15 +162,15 @@ impl Plan {
         near(nested, NEAR).or_else(|| near(self.common, 2.0)).unwrap_or(intervals.next_multiple_of(self.step))
     }
 
-    /// The finest grid of this kind.
+    /// The finest allowed grid; if this costs little, one that fits together with its coarser grids.
     fn finest(&self) -> usize {
         let whole = |multiple: usize| self.most / multiple * multiple;
         let nested = whole(self.nested(self.most));
         if as_number(self.most) <= NEAR * as_number(nested) { nested } else { self.most }
     }
 
-    /// Multiples of this have nodes where the scene breaks on all the grids from which the active set starts on that many
-    /// intervals.
+    /// Grids that are multiples of this number have nodes where the scene breaks. So do all the coarser grids from which the active
+    /// set starts on the given number of intervals.
     fn nested(&self, intervals: usize) -> usize {
         let mut nested = self.common;
         while FEW * (nested / self.common) <= intervals {
@@ -179,7 +179,7 @@ impl Plan {
         nested
     }
 
-    /// The tolerance of the next grid: the smaller one, if that reduced the error or the residual on the last grid.
+    /// The tolerance of the next grid: the smaller one, if it reduced the error or the residual on the last grid.
     fn tolerance(&self, trials: &[Trial], last: &Trial) -> f64 {
         let first = trials.iter().find(|t| t.intervals == last.intervals).unwrap_or(last);
         let helped = last.error < 0.5 * first.error || self.demand.residual < first.residual;
@@ -192,7 +192,7 @@ fn as_number(intervals: usize) -> f64 {
     intervals as f64
 }
 
-/// Whether refinement by [`STALL`] has not even halved the error.
+/// Whether refinement by [`STALL`] did not even halve the error.
 fn stalled(trials: &[Trial]) -> bool {
     let least = |trials: &mut dyn Iterator<Item = &Trial>| trials.map(|t| t.error).fold(f64::INFINITY, f64::min);
     let finest = trials.last().map_or(0, |t| t.intervals);
@@ -215,7 +215,7 @@ mod tests {
         Plan::new(&scene, &Request::new(Method::Force, Solver::ActiveSet, error))
     }
 
-    /// A grid on which the error is `law(N)`.
+    /// A trial whose error is `law(N)`.
     fn tried(plan: &Plan, (intervals, tolerance): (usize, f64), law: impl Fn(f64) -> f64) -> Trial {
         let error = law(as_number(intervals));
         let refusal = (plan.demand.error < error).then_some(Refusal::Error { share: error, most: plan.demand.error });
@@ -234,7 +234,7 @@ mod tests {
         }
     }
 
-    /// The grids for a law, and how it ended.
+    /// The grids for a given error law, and how the search ended.
     fn search(error: f64, law: impl Fn(f64) -> f64) -> (Vec<usize>, End) {
         let plan = plan(error);
         let mut trials = vec![tried(&plan, plan.start(), &law)];
@@ -248,13 +248,13 @@ mod tests {
 
     #[test]
     fn a_power_law_is_followed_without_waste() {
-        // The first step assumes the second order; with a higher one it goes too far.
+        // The first step assumes second order; with a higher order it goes too far.
         for order in [1.0, ORDER] {
             for error in [1e-2, 1e-3, 1e-4] {
                 let (grids, end) = search(error, |n| libm::pow(n, -order));
                 let (needed, last) = (libm::pow(error, -1.0 / order), as_number(*grids.last().expect("a grid")));
                 assert_eq!(end, End::Reached, "{grids:?}");
-                // The margin, a step that is no smaller than the least, rounding up to a grid that fits, or the first grid.
+                // Allowed for: the margin, the smallest step, rounding up to a grid that fits, and the first grid.
                 let most = (MARGIN * LEAST_STEP * NEAR * needed + 2.0).max(as_number(START));
                 assert!(needed <= last && last <= most, "order {order}, {error}: {needed} of {grids:?}");
                 assert!(grids.iter().sum::<usize>() <= 3 * grids[grids.len() - 1], "{grids:?}");

@@ -1,5 +1,5 @@
 //! From nodal values to a [`ContactState`]: reactions and moments by statics, contacts as runs of nodes, extremes at and between the
-//! nodes, energy.
+//! nodes, and the energy.
 
 use std::ops::Range;
 
@@ -16,10 +16,10 @@ use crate::state::{
     Contact, ContactState, Discretisation, Extremes, Nodes, Pressure, Reactions, Regime, SupportForce, larger_moment,
 };
 
-/// Deflections, clearances and contact forces at the nodes: all but supported ends.
+/// Deflections, clearances and contact forces at all nodes except supported ends.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Nodal {
-    /// How the beam bends between the nodes.
+    /// The shape of the beam between the nodes.
     pub discretisation: Discretisation,
     /// Deflection `v`.
     pub deflection: Vec<f64>,
@@ -27,13 +27,14 @@ pub struct Nodal {
     pub clearance: Vec<f64>,
     /// Contact forces, zero at supports.
     pub contact_force: Vec<f64>,
-    /// Forces of the supports that give and only push.
+    /// Forces of elastic compression-only supports.
     pub stop_force: Vec<f64>,
 }
 
 impl Nodal {
-    /// From values at all nodes but supported ends, and behind them of supports that give and only push: with the deflection `v = g − h`;
-    /// where the ground lies so deep that this difference has few digits left, or none, `v = C t` by statics.
+    /// Nodal values from clearances and contact forces at all nodes except supported ends, followed by those of elastic
+    /// compression-only supports. The deflection is `v = g − h`. Where the foundation lies so deep that this difference has few
+    /// digits left, or none, it is `v = C t` by statics.
     #[must_use]
     pub fn new(
         discrete: &Discrete,
@@ -41,8 +42,8 @@ impl Nodal {
         mut clearance: Vec<f64>,
         mut contact_force: Vec<f64>,
     ) -> Self {
-        /// Ground this many times as deep as the beam deflects: three of sixteen digits are what the difference may lose, and
-        /// more than statics lose on any grid on which the difference would be the better one.
+        /// Ratio of gap to deflection above which statics is used. Up to it the difference loses at most three of sixteen digits.
+        /// Statics loses fewer than three on every grid on which the difference would be the better choice.
         const DEEP: f64 = 1e3;
         let first = discrete.nodes().start;
         if discrete.has_open_nodes() {
@@ -54,7 +55,7 @@ impl Nodal {
             (discrete.is_held() && discrete.depths.iter().any(|&u| size < u)).then(|| by_statics(&contact_force));
         clearance.truncate(discrete.nodes().len());
         let stop_force = contact_force.split_off(discrete.nodes().len());
-        // From the foot of a spring to the beam.
+        // From the clearance of the foot of a spring to the clearance of the beam.
         for ((h, node), p) in
             clearance.iter_mut().zip(discrete.nodes()).zip(&contact_force).filter(|_| discrete.gives())
         {
@@ -77,7 +78,7 @@ impl Nodal {
         Self { discretisation, deflection, clearance, contact_force, stop_force }
     }
 
-    /// The same where there is nothing to touch at some nodes: the beam that is held where it may touch, at the clearances there.
+    /// The same for a beam with nothing to touch at some nodes. At all others the beam is held at the given clearances.
     fn of_open(
         discrete: &Discrete,
         discretisation: Discretisation,
@@ -102,7 +103,7 @@ impl Nodal {
         nodal
     }
 
-    /// A beam that one place carries, before it is known how: at rest, and pressed by nothing.
+    /// The state at rest, without contact forces, of a beam that balances on one contact, until its position is known.
     #[must_use]
     pub fn resting(discrete: &Discrete, discretisation: Discretisation) -> Self {
         let nothing = || vec![0.0; discrete.nodes().len()];
@@ -110,7 +111,7 @@ impl Nodal {
         Self { discretisation, deflection: nothing(), clearance: nothing(), contact_force: nothing(), stop_force }
     }
 
-    /// Clearances of open nodes are infinite.
+    /// Makes the clearances of nodes with nothing below them infinite.
     pub(super) fn leave_open(&mut self, discrete: &Discrete) {
         let first = discrete.nodes().start;
         for node in discrete.nodes().filter(|node| discrete.is_bottomless(*node)) {
@@ -119,10 +120,10 @@ impl Nodal {
     }
 }
 
-/// A contact force below this share of all forces is rounding, not contact: a few thousand units in the last place.
+/// A contact force below this fraction of the sum of all forces is rounding, not contact: a few thousand units in the last place.
 const NO_FORCE: f64 = 1e-12;
 
-/// The beam that its supports hold under nodal loads with no foundation: `v = C q`, and no quadratic program to solve.
+/// The beam on its supports under nodal loads, without a foundation: `v = C q`, and no quadratic program to solve.
 #[must_use]
 pub fn free_beam(discrete: &Discrete, discretisation: Discretisation) -> Nodal {
     let nothing = vec![0.0; discrete.nodes().len()];
@@ -131,10 +132,10 @@ pub fn free_beam(discrete: &Discrete, discretisation: Discretisation) -> Nodal {
     Nodal { discretisation, clearance, contact_force: nothing, deflection, stop_force: Vec::new() }
 }
 
-/// The state of the beam that nodal values describe. Its memory is that of the discrete problem, as far as it goes.
+/// The state of the beam for given nodal values. Reuses the memory of the discrete problem where it can.
 ///
-/// Moments and forces of the supports are those of the beam on its supports alone, under `q − p`. Of a beam that they do not hold,
-/// contact forces are in balance with the loads, and what two more supports carry is what they lack of it.
+/// Support moments and reactions are those of the beam on its supports alone, under `q − p`. If the supports do not hold the beam, up
+/// to two supports are added. Contact forces and loads are then in balance, and the added supports carry only the imbalance.
 #[must_use]
 pub(crate) fn contact_state(mut discrete: Discrete, nodal: Nodal) -> ContactState {
     let (nodes, sizes, supports) = (discrete.nodes(), discrete.sizes(), discrete.supports().all().to_vec());
@@ -164,7 +165,7 @@ pub(crate) fn contact_state(mut discrete: Discrete, nodal: Nodal) -> ContactStat
         .map(|extremes| placed(extremes, &grid));
     moments.truncate(nodes.end);
     moments.drain(..nodes.start);
-    // The loads are not needed any more.
+    // The loads are no longer needed.
     let mut x = discrete.loads;
     x.truncate(nodes.len());
     grid.places(nodes.start, &mut x);
@@ -190,8 +191,9 @@ pub(crate) fn contact_state(mut discrete: Discrete, nodal: Nodal) -> ContactStat
     }
 }
 
-/// What every support exerts, from left to right, and the energy of settled and turned supports: half of their work, less half of that
-/// of loads at supports beyond the nodes of the state. The discrete beam may have more supports than those of the scene.
+/// The reaction of every support, from left to right, and the energy of settled and rotated supports. That energy is half of the work
+/// of the reactions, less half of the work of loads at supports that are no nodes of the state. The discrete beam may have more
+/// supports than the scene.
 fn support_forces(
     discrete: &Discrete,
     supports: &[NodeSupport],
@@ -226,8 +228,9 @@ fn support_forces(
     (forces.into_iter().map(|(_, force)| force).collect(), energy)
 }
 
-/// Extremes of deflection and moment, in intervals from the left end. Inside a built-in support moments jump: extremes are looked for
-/// on each side. The nodal values begin with the `first` node of the grid, wherever those of the beam on its supports do.
+/// Extremes of deflection and moment, with positions in intervals from the left end. The moment jumps at a built-in support inside
+/// the beam, so each side is searched separately. `nodal` begins with node `first` of the grid, which need not be the first node of
+/// the beam on its supports.
 fn extremes_by_parts(
     discrete: &Discrete,
     (nodal, first): (&Nodal, usize),
@@ -260,15 +263,15 @@ fn extremes_by_parts(
     found.unwrap_or_default()
 }
 
-/// Sizes of clearance and force by which contact is told. Where the ground is so close that the beam moves less than its forces are
-/// rounded, clearances are that rounding.
+/// Sizes of clearance and force that decide what counts as contact. Where the foundation is so close that the beam deflects less than
+/// the rounding of its forces, clearances are only rounding.
 fn sizes_of_contact(sizes: Sizes, stiffness: f64, length: f64) -> Sizes {
     Sizes { x: sizes.x.max(least_deflection(sizes.gradient, length, stiffness)), ..sizes }
 }
 
-/// Takes the contact forces from the loads, `t = q − p`, and returns `½ tᵀv − qᵀv`: since half the work of all forces and couples is
-/// the energy of bending, it is `J(v)` but for what supports add. Summed in blocks: one sum over a fine grid would lose digits that
-/// the answer has.
+/// Subtracts the contact forces from the loads, `t = q − p`, and returns `½ tᵀv − qᵀv`. Half the work of all forces and couples is
+/// the bending energy, so this is `J(v)` without the contribution of supports. The sum is taken in blocks: one sum over a fine grid
+/// would lose digits that the answer has.
 fn take_contact_forces(loads: &mut [f64], nodal: &Nodal) -> f64 {
     let mut energy = 0.0;
     let answers = nodal.contact_force.chunks(BLOCK).zip(nodal.deflection.chunks(BLOCK));
@@ -284,16 +287,17 @@ fn take_contact_forces(loads: &mut [f64], nodal: &Nodal) -> f64 {
     energy
 }
 
-/// What is stored in ground that gives, `½ Σ p²/kΔ`.
+/// The energy stored in an elastic foundation, `½ Σ p²/kΔ`.
 fn pressed(discrete: &Discrete, nodal: &Nodal) -> f64 {
     let pressing = discrete.nodes().zip(&nodal.contact_force).filter(|(_, p)| **p != 0.0);
     pressing.map(|(node, p)| 0.5 * discrete.give(node) * p * p).sum()
 }
 
-/// The largest pressure of ground that gives.
+/// The largest pressure of an elastic foundation.
 fn pressure(discrete: &Discrete, nodal: &Nodal) -> Option<Pressure> {
     let at = |(node, p): (usize, &f64)| {
-        // Of half a spring at an end, and none in a support that only pushes. Where the stiffness changes that of the stiffer side.
+        // Half a spring counts at an end of the beam, and none at a compression-only support. Where the stiffness changes, the
+        // pressure is that on the stiffer side.
         let share = discrete.give(node) / discrete.whole_give(discrete.stiffest_beside(node));
         Pressure { max: share * p / discrete.spacing, at: discrete.grid.place(node) }
     };
@@ -302,7 +306,7 @@ fn pressure(discrete: &Discrete, nodal: &Nodal) -> Option<Pressure> {
     all.filter(|_| discrete.gives()).max_by(|a, b| a.max.total_cmp(&b.max))
 }
 
-/// Extremes with places along the beam instead of numbers of nodes.
+/// Extremes with positions along the beam instead of node numbers.
 fn placed(extremes: Extremes, grid: &Grid) -> Extremes {
     #[expect(
         clippy::cast_possible_truncation,
@@ -313,12 +317,12 @@ fn placed(extremes: Extremes, grid: &Grid) -> Extremes {
     Extremes { max_at: place(extremes.max_at), min_at: place(extremes.min_at), ..extremes }
 }
 
-/// Runs of neighbouring nodes in contact, each a zone, or a point if it is a single node.
+/// Runs of neighbouring nodes in contact. Each is a zone, or a point if it is a single node.
 ///
-/// `place` is that of a node by its number among those of `nodal`; where a support `pushes` it is no contact with the ground.
+/// `place` is the position of a node by its number in `nodal`. A node where a support `pushes` is no contact with the foundation.
 ///
-/// A node is in contact if its force, as a share of all forces, is larger than its clearance, as a share of the deflection: in the
-/// answer of an iterative method both are small positive numbers.
+/// A node is in contact if its force, relative to the sum of all forces, is larger than its clearance, relative to the deflection. In
+/// the answer of an iterative method both are small positive numbers.
 fn contacts(
     nodal: &Nodal,
     &Sizes { x: depth, gradient: force }: &Sizes,
@@ -327,10 +331,11 @@ fn contacts(
 ) -> Vec<Contact> {
     let mut contacts = Vec::new();
     let contact = |first, last, force| Contact { from: place(first), to: place(last), force, end_forces: None };
-    // While a run goes on: its first node, and the sum of its forces.
+    // During a run: its first node and the sum of its forces.
     let (mut first, mut sum) = (None, 0.0);
     for (k, (&p, &h)) in nodal.contact_force.iter().zip(&nodal.clearance).enumerate() {
-        // h/X ≤ p/G without a division: most nodes of a fine grid pass here. Both are zero on ground that leaves no room at all.
+        // h/X ≤ p/G without a division, because most nodes of a fine grid are tested here. Both sides are zero on a foundation
+        // without any gap.
         if NO_FORCE * force < p && h * force <= p * depth && !pushes(k) {
             first = first.or(Some(k));
             sum += p;

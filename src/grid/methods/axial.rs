@@ -1,7 +1,7 @@
-//! A beam under an axial force `N`, tension positive, on a set of contacts: all nodes are members of a chain of [blocks] of two.
+//! A beam under an axial force `N`, tension positive, on a set of contacts. All nodes are members of a chain of 2 × 2 [blocks].
 //!
-//! With the sag `y` of the beam above the polyline through the places that hold it, in units of force as in `springs.rs`, `M` in
-//! `force · Δ` and the loads at the nodes,
+//! Let `y` be the sag of the beam above the polyline through the nodes that hold it, in units of force as in `springs.rs`. With
+//! moments `M` in `force · Δ` and loads at the nodes,
 //!
 //! ```text
 //! δ²y_i − c(M)_i = (EI/Δ²) bend_i
@@ -9,9 +9,9 @@
 //! c(M)_i = ω M_{i−1} + 2 w M_i + ω M_{i+1}                  w, ω = ½, 0 of finite differences, s₁(ν), s₂(ν) of beam elements
 //! ```
 //!
-//! Under forces at nodes alone such an element is exact ([`crate::scene::axial`]). Without an axial force both are the chain of `springs.rs`.
-//! A span of many nodes would be one element as well, but its loads act by their places in it: so all nodes stay, and a solve takes a
-//! time in proportion to their number.
+//! Under forces at nodes alone such an element is exact ([`crate::scene::axial`]). Without an axial force both equations are the
+//! chain of `springs.rs`. A span of many nodes would also be one element, but the effect of its loads depends on their positions in
+//! it. So all nodes stay in the chain, and a solve takes time proportional to their number.
 
 use std::f64::consts::PI;
 
@@ -29,7 +29,7 @@ use crate::qp::blocks::{self, Block, PENALTY};
 use crate::scene::{SceneError, Unstable, axial};
 use crate::state::Discretisation;
 
-/// What an interval is: `w` of each of its ends, `ω`, and `1 − ν ω` without cancellation.
+/// The coefficients of an interval: `w` of each end, `ω`, and `1 − ν ω` without cancellation.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Link {
     pub(crate) near: f64,
@@ -38,7 +38,7 @@ pub(crate) struct Link {
 }
 
 impl Link {
-    /// Of an interval that is `e` as soft as one with `ν`.
+    /// The link of an interval with the relative softness `e`, for the `ν` of the least bending stiffness.
     pub(crate) fn of(discretisation: Discretisation, nu: f64, e: f64) -> Self {
         match discretisation {
             Discretisation::FiniteDifferences => Self { near: 0.5 * e, far: 0.0, fall: 1.0 },
@@ -50,14 +50,14 @@ impl Link {
     }
 }
 
-/// A beam under an axial force on a list of nodes.
+/// The solution for a beam under an axial force on a list of nodes.
 pub(super) struct Pulled {
-    /// Moments at them \[force · Δ\].
+    /// Moments at the nodes \[force · Δ\].
     pub(super) moments: Vec<f64>,
-    /// How far what holds them sinks, and the deflection of those that nothing holds.
+    /// Settlement of whatever holds each node; at nodes that nothing holds, the deflection.
     pub(super) sunk: Vec<f64>,
-    /// What the axial force presses each of those down by that hold the beam, along straight lines from one to the next, and the size of what
-    /// that is a difference of.
+    /// For each node that holds the beam, the force by which the axial force presses it down, along straight lines from one such node
+    /// to the next, and the size of the terms of which this force is a difference.
     pub(super) pulled: Vec<[f64; 2]>,
 }
 
@@ -67,22 +67,23 @@ impl Discrete {
         self.tension * self.spacing * self.spacing / self.stiffness
     }
 
-    /// How an interval bends by moments at its near and at its far end, beside one with the least bending stiffness and no axial force.
+    /// How moments at the near and the far end bend an interval, relative to an interval with the least bending stiffness and no
+    /// axial force.
     pub(super) fn bent_by(&self, interval: usize) -> [f64; 2] {
         let e = self.divisions().softness(interval);
         if self.tension == 0.0 { [e, 0.0] } else { axial::as_cubic(self.pull() * e).map(|share| e * share) }
     }
 
-    /// The most that an interval bends, in the same measure.
+    /// The most that any interval bends, in the same measure.
     pub(super) fn bends_at_most(&self) -> f64 {
         if self.tension < 0.0 { axial::as_cubic(self.pull()).iter().sum() } else { 1.0 }
     }
 
-    /// Whether a beam that bends in this way between its nodes bears its compression on its supports.
+    /// Checks that the discrete beam, with this shape between its nodes, carries its compression on its supports without buckling.
     ///
     /// # Errors
     ///
-    /// [`SceneError::Unstable`] if not, though the beam of the scene does.
+    /// [`SceneError::Unstable`] if the discrete beam buckles, although the beam of the scene does not.
     pub fn check_compression(&self, discretisation: Discretisation) -> Result<(), SceneError> {
         let &Self { tension, intervals, .. } = self;
         let is_long = || self.pull() <= -PI * PI && discretisation == Discretisation::BeamElements;
@@ -95,8 +96,8 @@ impl Discrete {
 }
 
 impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
-    /// The force at each place that holds the beam, by the balance of the stretches between them: a difference of moments beside a place
-    /// would have an error in proportion to the number of nodes.
+    /// The force at each node that holds the beam, from the balance of the stretches between them. A difference of moments next to a
+    /// node would have an error proportional to the number of nodes.
     pub(super) fn forces_under_tension(&self, mut visit: impl FnMut(usize, f64)) {
         let (loads, end) = (&self.discrete.loads, self.discrete.intervals);
         let held: Vec<usize> = (0..self.nodes.len()).filter(|i| !self.is_free(self.nodes[*i])).collect();
@@ -129,8 +130,8 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         }
     }
 
-    /// Under an axial force, what moments bend the span between places that hold the beam in which each node is, and how far it hangs where
-    /// it ends in a tip; without one nothing.
+    /// Under an axial force, for each node: how far moments bend the span around it, between the nodes that hold the beam, and how
+    /// far the span hangs if it ends in a tip. Empty without an axial force.
     pub(super) fn bent_between(&self) -> Vec<f64> {
         let Discrete { spacing, stiffness, .. } = self.discrete;
         let (unit, end) = (spacing * spacing * spacing / stiffness, self.pulled.len());
@@ -150,8 +151,8 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
     }
 }
 
-/// The polyline through the places that hold a beam, at the nodes of a list: its level, and by how much its slope grows. It is level beyond the
-/// outermost ones.
+/// The polyline through the nodes that hold a beam, at all nodes of a list: its level and its change of slope. It is horizontal
+/// beyond the outermost holding nodes.
 struct Polyline {
     levels: Vec<f64>,
     bends: Vec<f64>,
@@ -182,7 +183,7 @@ impl Polyline {
     }
 }
 
-/// The slope of the polyline from an outermost place to the next one; from one side of a place to the other the slope that is held there.
+/// The slope of the polyline from an outermost node to the next one. Between the two sides of one node it is the slope held there.
 fn beside(discrete: &Discrete, list: &ContactSet, [i, other]: [usize; 2]) -> f64 {
     let [here, there] = [i, other].map(|i| list.nodes()[i]);
     if here == there {
@@ -193,11 +194,11 @@ fn beside(discrete: &Discrete, list: &ContactSet, [i, other]: [usize; 2]) -> f64
     if here < there { slope } else { -slope }
 }
 
-/// The members of a chain, and between each and the next one the link.
+/// The members of a chain, and the link from each to the next.
 struct Chain {
     rows: Vec<Row>,
     links: Vec<Link>,
-    /// The joints that are apart from it, with `1/κ`.
+    /// The soft joints, which are not part of the chain, with `1/κ`.
     soft: Vec<(usize, f64)>,
 }
 
@@ -214,7 +215,7 @@ pub(super) fn solve(
     let (nodes, nu) = (list.nodes(), discrete.pull());
     let unit = discrete.spacing * discrete.spacing * discrete.spacing / discrete.stiffness;
     let line = Polyline::of(discrete, list);
-    // Towards a place that is held: a tip has no stiffness but that of the axial force.
+    // Elimination ends at a node that holds the beam: a tip has no stiffness except from the axial force.
     let held = (0..nodes.len()).rev().find(|i| !list.is_free(nodes[*i]));
     let held = held.ok_or(NotPositiveDefinite { index: 0, pivot: 0.0 })?;
     let Chain { mut rows, links, soft } = chain(discrete, discretisation, list, &line);
@@ -242,7 +243,7 @@ pub(super) fn solve(
             [along - nu * (beside[0] + beside[1]), along.abs() + nu.abs() * (beside[0].abs() + beside[1].abs())];
     }
     let sunk = |i: usize| -y[i] * unit + if list.is_free(nodes[i]) { line.levels[i] } else { 0.0 };
-    // No zero has a sign.
+    // Adding zero removes the sign of a negative zero.
     let moment = |i: usize| {
         let none = i == 0 || i + 1 == rows.len() || discrete.divisions().is_hinge(nodes[i]);
         if none { 0.0 } else { rows[i].block.step[1] + 0.0 }
@@ -267,11 +268,11 @@ fn chain(discrete: &Discrete, discretisation: Discretisation, list: &ContactSet,
     let links: Vec<Link> = (0..nodes.len()).map(&mut link).collect();
     let (mut rows, mut soft, end) = (Vec::with_capacity(nodes.len()), Vec::new(), nodes.len() - 1);
     for (i, &node) in nodes.iter().enumerate() {
-        // Of the two sides of a place that a spring holds against turning the left one is a row of that spring.
+        // A node with a rotational spring is in the list twice. Its left row belongs to that spring.
         let turning = discrete.supports().turning(node).filter(|_| nodes.get(i + 1) == Some(&node));
         let is_tip = i == 0 || i == end;
         let before = if 0 < i { links[i - 1].near } else { 0.0 };
-        // A joint belongs to what is on its left.
+        // A joint belongs to the left side of its node.
         let is_first = i == 0 || nodes[i - 1] != node;
         let joint = if is_tip || !is_first { 0.0 } else { discrete.divisions().joint(node) };
         if SOFT < joint {
@@ -293,15 +294,15 @@ fn chain(discrete: &Discrete, discretisation: Discretisation, list: &ContactSet,
     Chain { rows, links, soft }
 }
 
-/// What hangs over, from its root, where its moments are known: from the tip only the axial force says where it is, and a small one would lose
-/// its digits.
+/// Deflections of overhangs, computed from the root, where the moments are known. In the chain only the axial force determines the
+/// position of a tip, and a small axial force would lose its digits.
 fn hang(rows: &mut [Row], discrete: &Discrete, list: &ContactSet, (links, right): (&[Link], &[f64])) {
-    /// Of `N a²/EI` of an overhang of the length `a`: three of sixteen digits are what it may lose.
+    /// Limit of `N a²/EI` for an overhang of length `a`: at most three of sixteen digits may be lost.
     const SMALL: f64 = 1e-3;
     let (nodes, end) = (list.nodes(), rows.len() - 1);
     let held = |i: &usize| !list.is_free(nodes[*i]);
     let (Some(first), Some(last)) = ((0..=end).find(held), (0..=end).rev().find(held)) else { return };
-    // One place alone: how it turns there is what the axial force says, or what holds it against turning.
+    // With a single holding node, the axial force or a rotational spring determines the slope there.
     let alone = nodes[first] == nodes[last];
     for (root, tip) in [(first, 0), (last, end)] {
         let steps = as_float(nodes[root].abs_diff(nodes[tip]));

@@ -1,11 +1,11 @@
-//! How the polyline through three nodes bends, which are held on the ground or by supports: what contact does to a beam.
+//! The change of slope of the polyline through three nodes on the foundation or on supports: the effect of contact on a beam.
 
 use super::discrete::{Discrete, as_float};
 use crate::scene::Foundation;
 
 impl Discrete {
-    /// By how much the slope of the polyline through three nodes, held on the foundation or by supports, grows at the middle one.
-    /// Where a built-in support holds that one, it is on one side of it twice, and the slope there is that of the support.
+    /// The change of slope, at the middle one of three nodes, of the polyline through them; the nodes lie on the foundation or on
+    /// supports. If the middle node is built in, it is given twice on one side, where the slope is that of the support.
     #[inline]
     pub(super) fn bend(&self, left: usize, node: usize, right: usize) -> f64 {
         if !self.supports().are_outside(left, right) {
@@ -17,12 +17,12 @@ impl Discrete {
         }
     }
 
-    /// Lengths of the chords from the middle one of three nodes to the others.
+    /// Lengths of the chords from the middle one of three nodes to the other two.
     fn chords(&self, [left, node, right]: [usize; 3]) -> [f64; 2] {
         [self.spacing * as_float(node - left), self.spacing * as_float(right - node)]
     }
 
-    /// The bend of the gap between a profile and an own shape.
+    /// The change of slope of the gap between a foundation profile and an initial shape.
     #[inline]
     fn bend_of_ground(&self, profile: &Foundation, nodes: [usize; 3]) -> f64 {
         let shape = self.shape.as_deref();
@@ -38,12 +38,12 @@ impl Discrete {
         shape.map_or_else(|| bend(profile), |shape| bend(profile) - bend(shape))
     }
 
-    /// The same where supports may hold some of the nodes, or where the ground is known at the nodes only.
+    /// The same if supports may hold some of the nodes, or if the foundation is known at the nodes only.
     fn bend_at_supports(&self, left: usize, node: usize, right: usize) -> f64 {
         let nodes = [left, node, right];
         let [before, behind] = self.chords(nodes);
         let levels = nodes.map(|i| self.level(i));
-        // Not of a chord of no length, beside a node that is there twice.
+        // A chord of length zero, next to a node that is given twice, is not used.
         let [to_left, to_right] = [(levels[1] - levels[0]) / before, (levels[2] - levels[1]) / behind];
         if left == node || node == right {
             let held = self.supports().slope(node).unwrap_or(0.0);
@@ -66,8 +66,8 @@ impl Discrete {
     }
 }
 
-/// Whether the ground lies so far below one of three nodes with a support that slopes to its depth there, which have no effect on the
-/// beam, would cost more digits than the plain differences of the levels at which the nodes are held.
+/// Whether plain differences of the levels lose fewer digits than the foundation profile. The foundation may lie far below a node
+/// with a support. Slopes down to it then have no effect on the beam, but would cost digits.
 fn drops_off(levels: [f64; 3], below: [Option<f64>; 3], [before, behind]: [f64; 2]) -> bool {
     let [u0, u1, u2] = levels.map(f64::abs);
     let plain = (u0 + u1) / before + (u1 + u2) / behind;

@@ -1,16 +1,16 @@
 //! Method 1: the complementarity problem by finite differences, (4)–(16).
 //!
-//! Unknown is the clearance `h = u − v` at the interior nodes, the gradient is the contact pressure `p`:
+//! The unknown is the clearance `h = u − v` at the interior nodes, and the gradient is the contact pressure `p`:
 //!
 //! ```text
 //! p = q − EI v''''         EI v_i'''' ≈ (EI/Δ⁴) (v_{i−2} − 4 v_{i−1} + 6 v_i − 4 v_{i+1} + v_{i+2})        (5)
 //! A = (EI/Δ⁴) pentadiag(1, −4, 6, −4, 1),   b = A u − q,   p = A h − b
 //! ```
 //!
-//! At the supports `v_0 = 0` and `v_0'' = 0`, that is `v_{−1} = −v_1` (8), which leaves 5 in the two corners of `A`.
-//! At a built-in end half a cell has curvature, `v_0'' ≈ 2 (v_1 − v_0 − φ Δ)/Δ²`, which leaves 7 in the corner; at a free end none
-//! has, which leaves 1 and 5 there. So `A` is a sum over the nodes where the beam can bend.
-//! Pressures are forces per length here; a load `q_i` is the nodal load divided by `Δ`.
+//! At the supports `v_0 = 0` and `v_0'' = 0`, that is `v_{−1} = −v_1` (8), which leaves 5 in the two corners of `A`. At a built-in
+//! end half a cell has curvature, `v_0'' ≈ 2 (v_1 − v_0 − φ Δ)/Δ²`, which leaves 7 in the corner. At a free end no cell has
+//! curvature, which leaves 1 and 5 there. So `A` is a sum over the nodes where the beam can bend. Pressures are forces per length; a
+//! load `q_i` is the nodal load divided by `Δ`.
 
 // Discrepancy: finite-difference-equations
 //

@@ -1,36 +1,35 @@
-//! A beam on a set of contacts, by whichever method: Clapeyron's three-moment equations (1857) of a continuous beam whose
-//! supports settle.
+//! A beam on a set of contacts, for every method: Clapeyron's three-moment equations (1857) of a continuous beam whose supports settle.
 //!
 //! ```text
 //! a M_{i−1} + 2 (a + b) M_i + b M_{i+1} = −(ϑ_right + ϑ_left) − (6 EI/Δ²) bend_i
 //! bend_i = (d_{i+1} − d_i)/(b Δ) − (d_i − d_{i−1})/(a Δ)                        the change of slope from chord to chord
 //! ```
 //!
-//! at contact node `i` at the level `d_i`, its gap or that of its support, for neighbouring spans of `a` and `b` intervals with the
-//! end rotations `ϑ` of a [`Span`]; moments count in `force · Δ`. Finite differences put all curvature at the nodes: a chain of rigid
-//! links with springs in its joints (Hencky 1920). Its equations have
-//! [`a − 1/a` for `a`, `b − 1/b` for `b` and `1/a + 1/b` more in the middle](links).
-//! In dense contact, `a = b = 1`, neighbours drop out, and the difference equation itself is left, `M_i = −(EI/Δ²) bend_i`.
+//! Here `i` is a contact node at the level `d_i`, which is its gap or the level of its support. The neighbouring spans have `a` and
+//! `b` intervals and the end rotations `ϑ` of a [`Span`]. Moments have the unit `force · Δ`. Finite differences concentrate all
+//! curvature at the nodes, which makes the beam a chain of rigid links with springs in its joints (Hencky 1920). Its equations have
+//! [`a − 1/a` for `a`, `b − 1/b` for `b` and `1/a + 1/b` more in the middle](links). In dense contact, `a = b = 1`, the neighbours
+//! drop out and the difference equation itself remains, `M_i = −(EI/Δ²) bend_i`.
 //!
-//! A beam that changes between contacts, in its stiffness or by joints, is solved with places of any deflection as more nodes, in
-//! `springs.rs`; under an axial force with all nodes, in `axial.rs`.
+//! If the stiffness changes between contacts, or the beam has joints there, `springs.rs` solves it with these places as additional
+//! nodes of free deflection. Under an axial force `axial.rs` solves it with all nodes.
 //!
 //! Supports are nodes of this list like contacts, at their own levels and with forces of any sign. Two kinds of node have another
-//! equation. Beyond the *outermost* nodes the beam hangs over: its moment there is known from statics, zero at an end. A
-//! *built-in* support stands in the list twice, with a span of no length between: on each of its sides one half of the equation
-//! is left, by which the beam has the given slope `φ` there,
+//! equation. Beyond the *outermost* nodes the beam is an overhang: its moment there is known from statics, and is zero at an end. A
+//! *built-in* support is in the list twice, with a span of length zero between. On each of its sides half of the equation remains,
+//! which gives the beam the slope `φ` there,
 //!
 //! ```text
 //! (b − 1/b) M_{i+1} + (2b + 1/b) M_i = −ϑ_left − (6 EI/Δ²) ((d_{i+1} − d_i)/(b Δ) − φ)        1/b for finite differences only
 //! ```
 //!
-//! so that finite differences have half a cell there. The deflection of an overhang follows from the slope at its node.
+//! so that finite differences have half a cell there. The deflection of an overhang follows from the slope at its root.
 //!
-//! What follows from the moments is in `held_beam.rs`. Eliminating them would give back `A x = b` on the free variables, (33), of
-//! each of the three methods. But the condition number of `A` grows like `n⁴`, and this matrix is strictly diagonally dominant:
-//! scaled by its diagonal it has a condition number of at most 3, whatever the number of contacts. The bend on its right-hand side
-//! is computed by a formula in which nothing cancels ([`crate::scene::Foundation::bend`]): differences of rounded depths, divided
-//! by `Δ³`, would leave nothing of the contact forces on a fine grid. Deflections are summed up from moments and never differenced.
+//! `held_beam.rs` derives everything else from the moments. Eliminating the moments would lead back to `A x = b` on the free
+//! variables, (33), of each of the three methods. The condition number of `A` grows like `n⁴`. The matrix here is strictly diagonally
+//! dominant instead: scaled by its diagonal it has a condition number of at most 3, whatever the number of contacts. A formula
+//! without cancellation gives the bend on the right-hand side ([`crate::scene::Foundation::bend`]). Differences of rounded depths,
+//! divided by `Δ³`, would destroy the contact forces on a fine grid. Deflections are sums of moments, and are never differenced.
 
 use std::ops::{Range, RangeInclusive};
 
@@ -45,36 +44,36 @@ use crate::memory::zeros;
 use crate::qp::{Band, NotPositiveDefinite, Row};
 use crate::state::Discretisation;
 
-/// Nodes at which the beam is held, by supports and by the foundation, ascending; those in which it is built in twice. And those at which
-/// it changes.
+/// The nodes at which supports and foundation hold the beam, ascending, and the nodes at which the beam changes. A built-in node is
+/// in the list twice.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ContactSet {
     nodes: Vec<usize>,
-    /// Those among them that nothing holds, and at which the beam changes.
+    /// The nodes among them that nothing holds, where the beam changes.
     free: Vec<usize>,
-    /// Supports that give and act on the beam: those that hold it both ways, and those that only push and are pressed.
+    /// Elastic supports that act on the beam: those that hold it both ways, and compression-only ones that are pressed.
     springs: Vec<NodeSpring>,
-    /// The nodes that nothing but these hold.
+    /// The nodes that only an elastic support holds.
     sprung: Vec<usize>,
-    /// Whether the beam hangs over beyond the first and the last of them. Otherwise it is cut there, and free of moment.
+    /// Whether the beam continues as an overhang beyond the first and the last node. Otherwise it is cut there, with zero moment.
     overhangs: [bool; 2],
 }
 
-/// Contact forces and clearances at the nodes of a range, both zero at supports, and behind them those of all stops, supports that give and
-/// only push: of a pressed one zero is the clearance, of any other the force.
+/// Contact forces and clearances at the nodes of a range, both zero at supports, followed by the values of all stops (elastic
+/// compression-only supports). A pressed stop has clearance zero, any other has force zero.
 pub(crate) struct OnContacts {
     pub(crate) contact_force: Vec<f64>,
     pub(crate) clearance: Vec<f64>,
 }
 
 impl ContactSet {
-    /// Contact at some [places](Discrete::place), ascending.
+    /// Contact at the given [places](Discrete::place), ascending.
     pub(crate) fn at(discrete: &Discrete, contacts: impl Iterator<Item = usize>) -> Self {
         let count = contacts.size_hint().0;
         Self::part(discrete, contacts, count, &(0..=discrete.intervals), [true; 2])
     }
 
-    /// Contact at places of a part of the beam, about as many as `count`, and the supports there.
+    /// Contact at places in a part of the beam, about `count` of them, together with the supports there.
     pub(crate) fn part(
         discrete: &Discrete,
         contacts: impl Iterator<Item = usize>,
@@ -91,7 +90,7 @@ impl ContactSet {
             }
         };
         let mut springs = discrete.supports().springs().to_vec();
-        // Most contacts are before the next support and none of those that are held already.
+        // Most contacts lie before the next support, and at no node that is already held.
         let next = |supports: &[NodeSupport]| supports.first().map_or(usize::MAX, |support| support.node);
         let (mut support, mut held) = (next(supports), usize::MAX);
         contacts.for_each(|contact| {
@@ -116,14 +115,14 @@ impl ContactSet {
         let sprung: Vec<usize> = alone.map(|spring| spring.node).collect();
         let twice = springs.iter().filter(|spring| spring.turning.is_some()).map(|spring| spring.node);
         let nodes = merged(merged(nodes, &sprung), &twice.collect::<Vec<_>>());
-        // Under an axial force a span is no simple beam: all nodes are in the list.
+        // Under an axial force a span is not a simple beam, so all nodes are in the list.
         let all = if discrete.tension == 0.0 { 0..0 } else { *part.start()..*part.end() + 1 };
         let changes = discrete.divisions().nodes().iter().copied().filter(|node| all.is_empty() && part.contains(node));
         let free: Vec<usize> = changes.chain(all.clone()).filter(|node| nodes.binary_search(node).is_err()).collect();
         Self { nodes: merged(nodes, &free), free, springs, sprung, overhangs }
     }
 
-    /// Contact forces and clearances at all nodes but supported ends, of the beam that touches here.
+    /// Contact forces and clearances at all nodes except supported ends, for the beam in contact at this set.
     ///
     /// # Errors
     ///
@@ -137,7 +136,7 @@ impl ContactSet {
         self.solve_at(discrete, discretisation, span, discrete.nodes())
     }
 
-    /// The same at the nodes of a range, with what is known of the spans between any two nodes.
+    /// The same at the nodes of a range, with a function that gives the span between two nodes.
     pub(crate) fn solve_at(
         self,
         discrete: &Discrete,
@@ -168,7 +167,7 @@ impl ContactSet {
         Ok(nodal)
     }
 
-    /// The beam that is held at these nodes.
+    /// The beam held at these nodes.
     pub(super) fn beam<'a>(
         mut self,
         discrete: &'a Discrete,
@@ -224,7 +223,7 @@ impl ContactSet {
         })
     }
 
-    /// Takes away the nodes beyond the outermost ones that hold the beam, on both sides, from there on.
+    /// Removes the free nodes beyond the outermost nodes that hold the beam. Returns those of both sides, ordered outwards.
     fn take_beyond(&mut self) -> [Vec<usize>; 2] {
         let is_free = |node: &&usize| self.free.binary_search(node).is_ok();
         let right = self.nodes.iter().rev().take_while(is_free).count();
@@ -235,24 +234,24 @@ impl ContactSet {
         [left, right]
     }
 
-    /// The support that gives and acts on the beam at a node.
+    /// The elastic support that acts on the beam at a node.
     pub(super) fn spring(&self, node: usize) -> Option<&NodeSpring> {
         self.springs.binary_search_by_key(&node, |spring| spring.node).ok().map(|i| &self.springs[i])
     }
 
-    /// The level from which the deflection of a node that something holds counts.
+    /// The level from which the deflection of a held node counts.
     pub(super) fn level(&self, discrete: &Discrete, node: usize) -> f64 {
         let spring = self.spring(node).filter(|_| self.is_sprung(node));
         spring.map_or_else(|| discrete.level(node), |spring| spring.deflection)
     }
 
-    /// Whether nothing but a support that gives holds a node.
+    /// Whether only an elastic support holds a node.
     #[inline]
     pub(super) fn is_sprung(&self, node: usize) -> bool {
         !self.sprung.is_empty() && self.sprung.binary_search(&node).is_ok()
     }
 
-    /// By how much the slope of the polyline through three nodes that something holds grows at the middle one.
+    /// The change of slope, at the middle one of three held nodes, of the polyline through them.
     pub(super) fn bend(&self, discrete: &Discrete, [left, node, right]: [usize; 3]) -> f64 {
         if [left, node, right].iter().all(|node| !self.is_sprung(*node)) {
             return discrete.bend(left, node, right);
@@ -276,7 +275,7 @@ impl ContactSet {
         !self.free.is_empty() && self.free.binary_search(&node).is_ok()
     }
 
-    /// Moments at the nodes; those at the two outermost are given.
+    /// Moments at the nodes. The moments at the two outermost nodes are given.
     fn moments(
         &self,
         discrete: &Discrete,
@@ -315,7 +314,7 @@ impl ContactSet {
     }
 }
 
-/// Two ascending lists as one.
+/// Merges two ascending lists.
 fn merged(nodes: Vec<usize>, more: &[usize]) -> Vec<usize> {
     if more.is_empty() {
         return nodes;

@@ -1,8 +1,8 @@
-//! A scene on a grid: what the three methods have in common before they choose an unknown.
+//! A scene on a grid: the nodal data that the three methods share.
 //!
-//! Unknowns belong to the nodes without a support. Of the paper's beam these are the interior nodes; an end without a support is
-//! one of them, and a node inside with a support is none. Without ground only the nodes with a support that pushes have one: the
-//! others are *open*, their gap counts from zero, and clearances there are of no consequence.
+//! Unknowns belong to the nodes without a support. For the paper's beam these are the interior nodes. An end without a support is one
+//! of them; a node inside the beam with a support is not. Without a foundation only the nodes with a compression-only support have an
+//! unknown. The other nodes are *open*: their gap counts from zero, and their clearance has no effect.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -26,33 +26,34 @@ pub struct Discrete {
     pub intervals: usize,
     /// Spacing `Δ`.
     pub spacing: f64,
-    /// Bending stiffness `EI`, the least one of a beam in steps.
+    /// Bending stiffness `EI`; the smallest one if the stiffness varies in steps.
     pub stiffness: f64,
     /// Axial force `N`, tension positive.
     pub tension: f64,
-    /// Loads on all nodes, `q_0 … q_{n+1}`, supports included: forces, not densities.
+    /// Loads on all nodes, `q_0 … q_{n+1}`, supports included. These are forces, not densities.
     pub loads: Vec<f64>,
-    /// Gaps `g` below the undeflected beam, of a straight one the depths `u`, at [all nodes but supported ends](Self::nodes).
+    /// Gaps `g` below the undeflected beam, equal to the depths `u` for a straight one, at
+    /// [all nodes except supported ends](Self::nodes).
     pub depths: Vec<f64>,
     supports: Supports,
     /// Steps of the bending stiffness and joints.
     divisions: Divisions,
-    /// Where the beam may touch.
+    /// The nodes at which the beam may be in contact.
     pub(super) touching: Touching,
-    /// The profiles of ground and own shape that the gaps are taken from.
+    /// The foundation profile and the initial shape, from which the gaps are computed.
     pub(super) profile: Option<Arc<Foundation>>,
     pub(super) shape: Option<Arc<Foundation>>,
-    /// Whether the beam is the paper's.
+    /// Whether this is the paper's beam.
     simple: bool,
-    /// Parts of the ground of one stiffness each, if it gives.
+    /// The parts of constant stiffness of an elastic foundation; empty for a rigid one.
     ground: Arc<[([f64; 2], f64)]>,
     sizes: Sizes,
 }
 
-/// Intervals of the grid on which sizes are measured, if it is not coarser anyway: a size needs two digits.
+/// Intervals of the grid on which sizes are measured, unless the grid is coarser. A size needs two digits.
 const SIZING: usize = 4096;
 
-/// Size of a clearance over ground that leaves no room to deflect, as a share of the free deflection.
+/// Size of a clearance over a foundation without any gap, as a fraction of the free deflection.
 const ON_THE_GROUND: f64 = 1e-6;
 
 impl Discrete {
@@ -60,7 +61,7 @@ impl Discrete {
     ///
     /// # Errors
     ///
-    /// [`SceneError::TooFewIntervals`], and [`SceneError::BetweenNodes`].
+    /// [`SceneError::TooFewIntervals`] and [`SceneError::BetweenNodes`].
     pub fn new(scene: &Scene, intervals: usize) -> Result<Self, SceneError> {
         let discrete = Self::unmeasured(scene, intervals, false)?;
         // A coarser grid with the supports among its nodes, if there is one.
@@ -72,11 +73,11 @@ impl Discrete {
         Ok(Self { sizes, ..discrete })
     }
 
-    /// The same on a coarser grid, with the sizes of this one. Joints and steps of the bending stiffness are at the nearest nodes.
+    /// The same scene on a coarser grid, with the sizes of this one. Joints and steps of the bending stiffness move to the nearest nodes.
     ///
     /// # Errors
     ///
-    /// Those of [`new`](Self::new).
+    /// The errors of [`new`](Self::new).
     pub(crate) fn coarser(&self, scene: &Scene, intervals: usize) -> Result<Self, SceneError> {
         Ok(Self { sizes: self.sizes, ..Self::unmeasured(scene, intervals, true)? })
     }
@@ -106,7 +107,7 @@ impl Discrete {
         })
     }
 
-    /// How far what is below a node gives under a unit force: a support that only pushes does not.
+    /// The settlement under a unit force of whatever is below a node; zero at a rigid compression-only support.
     #[must_use]
     pub fn give(&self, node: usize) -> f64 {
         match self.supports.bearings() {
@@ -116,24 +117,24 @@ impl Discrete {
         }
     }
 
-    /// The least that the ground gives below a node inside.
+    /// The smallest settlement of the foundation under a unit force at an interior node; zero if it is rigid.
     pub(super) fn give_inside(&self) -> f64 {
         self.ground.iter().map(|(_, k)| *k).reduce(f64::max).map_or(0.0, |k| self.whole_give(k))
     }
 
-    /// What ground of this stiffness gives below a node inside.
+    /// The settlement of a foundation of this stiffness under a unit force at an interior node.
     pub(super) fn whole_give(&self, stiffness: f64) -> f64 {
         1.0 / (stiffness * self.spacing)
     }
 
-    /// The stiffness of the ground on the stiffer side of a node.
+    /// The foundation stiffness on the stiffer side of a node.
     pub(super) fn stiffest_beside(&self, node: usize) -> f64 {
         let x = self.grid.place(node);
         let beside = self.ground.iter().filter(|(part, _)| part[0] <= x && x <= part[1]);
         beside.fold(0.0, |most, (_, k)| k.max(most))
     }
 
-    /// Whether the ground gives at all.
+    /// Whether the foundation is elastic.
     #[must_use]
     pub fn gives(&self) -> bool {
         !self.ground.is_empty()
@@ -151,27 +152,28 @@ impl Discrete {
         &self.loads[1..self.intervals]
     }
 
-    /// All nodes but the ends of the beam that have a support.
+    /// All nodes except the ends of the beam that have a support.
     #[must_use]
     pub fn nodes(&self) -> Range<usize> {
         self.supports.nodes()
     }
 
-    /// Which of the two ends of the beam have a support.
+    /// Whether the left and the right end of the beam have a support.
     pub(crate) fn held_ends(&self) -> [bool; 2] {
         [0, self.intervals].map(|node| self.supports.at(node).is_some())
     }
 
-    /// Whether the supports hold the beam against turning and moving, and each part of it between two hinges: if not, its stiffness is
-    /// singular, and it has no flexibility.
+    /// Whether the supports prevent all rigid motions of the beam and of each part between two hinges. If not, the stiffness is
+    /// singular and there is no flexibility.
     #[must_use]
     pub fn is_held(&self) -> bool {
         self.supports.lacking() == 0 && self.missing(&self.supports.holds()).is_empty()
     }
 
-    /// Nodes that have to hold the beam besides some others so that no part between two hinges moves, as [`Divisions::unheld`] has it.
+    /// Nodes that must hold the beam in addition to the given ones, so that no part between two hinges can move; see
+    /// [`Divisions::unheld`].
     ///
-    /// Tension holds these parts, and the beam with any one of them.
+    /// Under tension none are missing: tension holds these parts together with any node that holds the beam.
     pub(super) fn missing(&self, held: &[(usize, usize)]) -> Vec<usize> {
         let may_move = self.divisions.has_hinges() && self.tension <= 0.0;
         if may_move { self.divisions.unheld(held, self.intervals) } else { Vec::new() }
@@ -187,7 +189,7 @@ impl Discrete {
         &self.supports
     }
 
-    /// Whether the beam is the paper's: straight, on two simple supports at its ends, at level 0.
+    /// Whether this is the paper's beam: straight, on two simple supports at its ends, at level 0.
     pub(super) fn is_simple(&self) -> bool {
         self.simple
     }
@@ -200,11 +202,11 @@ impl Discrete {
 
     /// Sizes of deflection (or clearance) and of nodal force in this scene, for dimensionless residuals.
     ///
-    /// The deflection is limited by the beam without ground and by the foundation, whichever is nearer:
-    /// `max_i min(|g_i|, |v_free,i|)`. Over ground without a gap it cannot move at all, and a small part of the
-    /// free deflection has to do. Of a beam that its supports do not hold, gaps count from where it would rest if it were
-    /// rigid, and the free deflection is that of a beam held at its ends. Forces are measured by the sum of the nodal loads;
-    /// without loads, by the force that deflects a simple beam by that much, `48 EI v / l³`.
+    /// The deflection is limited by the beam without a foundation and by the foundation, whichever is less:
+    /// `max_i min(|g_i|, |v_free,i|)`. Over a foundation without any gap the beam cannot move, and a small part of the free
+    /// deflection is used. If the supports do not hold the beam, gaps count from where it would rest if it were rigid, and the free
+    /// deflection is that of a beam held at its ends. The size of forces is the sum of the nodal loads. Without loads it is the force
+    /// that gives a simple beam this deflection, `48 EI v / l³`.
     #[must_use]
     pub fn sizes(&self) -> Sizes {
         self.sizes
@@ -214,12 +216,12 @@ impl Discrete {
     fn measured(&self) -> Sizes {
         let supports = self.supports.slack();
         let basic = Self { supports, ..self.clone() }.basic(self.loads.clone());
-        // Above ground at zero, a clearance is a deflection upwards.
+        // Above a foundation at level zero, a clearance is an upward deflection.
         let free = held_beam::on_supports(&basic, Discretisation::BeamElements).map(|beam| beam.clearance());
         let free = free.unwrap_or_default();
         let offset = basic.nodes().start - self.nodes().start;
         let line = self.resting_line();
-        // Ground that gives lets the beam down by what it settles under the load.
+        // An elastic foundation lets the beam settle under the load.
         let settled = self.give_inside() * self.loads.iter().sum::<f64>().abs() / as_float(self.intervals);
         let (stops, weight) = (self.supports.stops(), self.loads.iter().map(|q| q.abs()).sum::<f64>());
         let room = |(node, gap): (usize, &f64)| match stops.iter().find(|stop| stop.node == node) {
@@ -233,18 +235,18 @@ impl Discrete {
         size(&free, room, loads, self.stiffness, length)
     }
 
-    /// Gap below a node that is no supported end.
+    /// Gap below a node that is not a supported end.
     pub(super) fn gap(&self, node: usize) -> f64 {
         self.depths[node - self.supports.first()]
     }
 
-    /// Level at which a node is held: that of its support, or of the ground.
+    /// Level at which a node is held: the level of its support or of the foundation.
     #[inline]
     pub(super) fn level(&self, node: usize) -> f64 {
         self.supports.at(node).map_or_else(|| self.gap(node), |support| support.held.deflection)
     }
 
-    /// Size of the numbers from which the gap below a node, or below a chord beside it, is computed.
+    /// Size of the numbers from which the gap below a node, or below a chord next to it, is computed.
     pub(super) fn depth_rounding(&self, node: usize) -> f64 {
         let size = |profile: &Option<Arc<Foundation>>| {
             profile.as_ref().map_or(0.0, |profile| profile.magnitude_at(self.grid.place(node)))
@@ -252,20 +254,20 @@ impl Discrete {
         size(&self.profile) + size(&self.shape)
     }
 
-    /// The same beam on other supports, above ground that is known at the nodes only, and under other loads.
+    /// The same beam on other supports and under other loads, above a foundation that is known at the nodes only.
     fn changed(&self, supports: Supports, depths: Vec<f64>, loads: Vec<f64>) -> Self {
         let (ground, divisions, touching) = (Arc::clone(&self.ground), self.divisions.clone(), self.touching.clone());
         let (profile, shape) = (None, None);
         Self { depths, supports, loads, ground, divisions, touching, profile, shape, simple: false, ..*self }
     }
 
-    /// The same beam above ground that is known at the nodes only, and stops that are higher by so much.
+    /// The same beam above a foundation that is known at the nodes only, with stops raised by the given amounts.
     pub(super) fn above(&self, depths: Vec<f64>, raised: &[f64]) -> Self {
         self.changed(self.supports.raised(raised), depths, self.loads.clone())
     }
 
-    /// The beam on its supports, with more if they do not hold it, above ground at zero and under other loads: the basic
-    /// structure for forces in balance.
+    /// The beam on its supports, with more supports if these do not hold it, above a foundation at level zero and under other loads.
+    /// This is the basic structure for forces in balance.
     pub(super) fn basic(&self, loads: Vec<f64>) -> Self {
         let missing = self.missing(&self.supports.holds());
         let supports = match self.divisions.has_hinges() && self.tension <= 0.0 {
@@ -275,13 +277,13 @@ impl Discrete {
         Self { ground: Arc::new([]), ..self.on(supports, loads) }
     }
 
-    /// The beam on other supports, above ground at zero and under other loads.
+    /// The beam on other supports and under other loads, above a foundation at level zero.
     pub(super) fn on(&self, supports: Supports, loads: Vec<f64>) -> Self {
         let depths = zeros(supports.nodes().len());
         self.changed(supports, depths, loads)
     }
 
-    /// The same without loads, and with all supports and slopes at zero: what is left is linear in contact forces.
+    /// The same without loads, and with all supports and slopes at zero. The remaining problem is linear in the contact forces.
     pub(super) fn bare(&self) -> Self {
         self.on(self.supports.at_zero(), vec![0.0; self.loads.len()])
     }
@@ -292,7 +294,7 @@ pub(super) fn as_float(n: usize) -> f64 {
     n as f64
 }
 
-/// See [`Discrete::sizes`]: from the free deflection, the room below it, and the loads.
+/// The sizes of [`Discrete::sizes`] from the free deflection, the gap available to it, and the loads.
 fn size(
     free: &[f64],
     room: impl Iterator<Item = f64> + Clone,
@@ -303,7 +305,7 @@ fn size(
     let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0_f64, f64::max);
     let mut deflection = largest(&mut free.iter().zip(room.clone()).map(|(v, u)| v.abs().min(u.abs())));
     let mut force: f64 = loads.map(f64::abs).sum();
-    // Less is what the elimination leaves of nothing.
+    // A smaller deflection is only what rounding of the elimination leaves in place of zero.
     if deflection <= force * length * length * length / stiffness / PENALTY.sqrt() {
         deflection = largest(&mut room.map(f64::abs).filter(|u| u.is_finite()));
     }
@@ -324,7 +326,7 @@ mod tests {
     use super::*;
     use crate::scene::{Beam, Load};
 
-    /// A survey is in memory once, however many grids are made of its scene.
+    /// A survey is in memory once, however many grids of its scene exist.
     #[test]
     fn grids_share_the_ground_of_their_scene() {
         let ground =

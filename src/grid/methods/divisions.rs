@@ -1,37 +1,38 @@
-//! Where the beam itself changes on a grid: its bending stiffness, and joints.
+//! Changes of the beam on a grid: steps of the bending stiffness, and joints.
 //!
 //! ```text
 //! e = EI₀/EI      of each interval: how much softer than it the softest one is       EI₀: the least bending stiffness
 //! κ = EI₀/k_jΔ    of a joint: it turns by κ M in the unit in which an interval turns by e M
 //! ```
 //!
-//! Both are nodes. Between two of them all intervals are alike, and a beam on contacts is a chain of such stretches (`springs.rs`). The
-//! parts of the beam between two hinges move by themselves: whether the contacts of a set hold all of them is decided here as well.
+//! Both are at nodes. Between two such nodes all intervals are equal, and a beam on contacts is a chain of such stretches
+//! (`springs.rs`). A part of the beam between two hinges can move on its own. This file also decides whether a set of contacts holds
+//! all parts.
 
 use crate::qp::blocks::PENALTY;
 use crate::scene::{Grid, Quantity, Scene, SceneError};
 
-/// A hinge in a part of the beam that nothing holds is a joint so many times as soft as an interval: few digits of the rest are left then,
-/// but where it goes can be seen.
+/// Ratio of the softness of a joint to that of an interval, for a hinge in a part of the beam that nothing holds. Few digits of the
+/// rest are then left, but the direction in which the part moves is visible.
 pub(super) const LOOSE: f64 = 1e12;
 
 /// Bending stiffness and joints at the nodes of a grid.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Divisions {
-    /// `e` from each node on, where it changes; empty of a beam of one stiffness.
+    /// `e` from each node on at which it changes; empty for constant bending stiffness.
     steps: Vec<(usize, f64)>,
-    /// The nodes of joints with `κ`, [`PENALTY`] of a hinge.
+    /// The nodes of the joints with `κ`, which is [`PENALTY`] for a hinge.
     joints: Vec<(usize, f64)>,
-    /// The nodes of all these, ascending.
+    /// All nodes at which the beam changes, ascending.
     nodes: Vec<usize>,
 }
 
 impl Divisions {
-    /// Those of a scene on a grid. On a `coarse` one they are at the nearest nodes: it serves for guesses.
+    /// The divisions of a scene on a grid. On a `coarse` grid they are at the nearest nodes, because it serves for guesses only.
     ///
     /// # Errors
     ///
-    /// [`SceneError::BetweenNodes`] if there is no node at one of them.
+    /// [`SceneError::BetweenNodes`] if one of them is not at a node.
     pub(super) fn on(grid: &Grid, scene: &Scene, coarse: bool) -> Result<Self, SceneError> {
         let beam = scene.beam();
         let node = |quantity: Quantity, at: f64| match grid.node_at(at) {
@@ -75,7 +76,7 @@ impl Divisions {
         &self.nodes
     }
 
-    /// `e` of the interval behind a node.
+    /// `e` of the interval to the right of a node.
     #[inline]
     pub(super) fn softness(&self, node: usize) -> f64 {
         match self.steps.as_slice() {
@@ -93,20 +94,22 @@ impl Divisions {
         }
     }
 
-    /// Whether a hinge is at a node.
+    /// Whether a node is a hinge.
     pub(super) fn is_hinge(&self, node: usize) -> bool {
         PENALTY <= self.joint(node)
     }
 
-    /// Whether hinges divide the beam.
+    /// Whether the beam has hinges.
     pub(super) fn has_hinges(&self) -> bool {
         self.joints.iter().any(|joint| PENALTY <= joint.1)
     }
 
-    /// Hinges and ends of the beam that have to be held besides some nodes, so that none of the parts between two hinges can move as a rigid
-    /// one. Of the nodes that hold it, ascending, each comes with how many motions it prevents: two where it is built in.
+    /// Hinges and ends of the beam that must be held in addition to the given nodes, so that no part between two hinges can move as a
+    /// rigid body. `held` lists the nodes that hold the beam, ascending, each with the number of motions that it prevents: two where
+    /// the beam is built in.
     ///
-    /// From left to right: up to a hinge a motion may be left that moves the hinge, which the next part may prevent. Any other goes on.
+    /// The parts are treated from left to right. A part may keep one motion if it moves the hinge at its right end, because the next
+    /// part may prevent it. Any other motion has to be prevented here.
     pub(super) fn unheld(&self, held: &[(usize, usize)], intervals: usize) -> Vec<usize> {
         let hinges = self.joints.iter().filter(|joint| PENALTY <= joint.1).map(|joint| joint.0);
         let (mut missing, mut from, mut moves, mut ahead) = (Vec::new(), 0, 1, held);
@@ -135,7 +138,8 @@ mod tests {
     use super::*;
     use crate::methods::discrete::as_float;
 
-    /// Of the lines that a beam of rigid parts can be, with a corner in each hinge, how many are zero at all nodes that hold it.
+    /// The number of rigid motions that are left. A beam of rigid parts can take the form of any line with a corner in each hinge;
+    /// counted are the independent lines that are zero at all holding nodes.
     fn motions(hinges: &[usize], held: &[(usize, usize)]) -> usize {
         let unknowns = hinges.len() + 2;
         let rows: Vec<Vec<f64>> = held
@@ -151,7 +155,7 @@ mod tests {
         unknowns - rank(rows, unknowns)
     }
 
-    /// How many of some rows of small whole numbers are independent.
+    /// The rank of a matrix of small integers.
     fn rank(mut rows: Vec<Vec<f64>>, columns: usize) -> usize {
         let mut rank = 0;
         for column in 0..columns {
@@ -169,14 +173,14 @@ mod tests {
         rank
     }
 
-    /// Whatever hinges a beam of eight intervals has and whichever nodes hold it: what is missing is enough, and nothing is where nothing
-    /// moves.
+    /// For all hinges and holding nodes of a beam of eight intervals: the missing nodes are sufficient, and there are none if nothing
+    /// can move.
     #[test]
     fn what_is_missing_holds_every_part() {
         const INTERVALS: usize = 8;
         for pattern in 0..1_usize << 12 {
             let is_in = |bits: usize, node: usize| bits >> node & 1 == 1;
-            // Hinges at 2, 3 and 6, not where the beam is built in, and six nodes that may hold it.
+            // Hinges at 2, 3 and 6, where the beam is not built in, and six nodes that may hold it.
             let hinges: Vec<usize> =
                 [2, 3, 6].into_iter().enumerate().filter(|(k, _)| is_in(pattern, *k)).map(|(_, node)| node).collect();
             let nodes = [0, 2, 3, 4, 6, 8].into_iter().enumerate().filter(|(k, _)| is_in(pattern, k + 3));

@@ -2,11 +2,11 @@
 
 use crate::state::{Discretisation, Extremes};
 
-/// Nodes of a block. Most blocks of a fine grid are far from any extreme, and a sum over one has about as many terms as there are
+/// Nodes in a block. Most blocks of a fine grid are far from any extreme. A sum over one block has about as many terms as there are
 /// blocks.
 pub(super) const BLOCK: usize = 256;
 
-/// Values at neighbouring nodes: at those between two ends, and at these.
+/// Values at neighbouring nodes: at the inner ones and at the two ends.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Values<'a> {
     pub(super) inner: &'a [f64],
@@ -14,15 +14,15 @@ pub(super) struct Values<'a> {
 }
 
 impl Values<'_> {
-    /// At node `i`, counted from the left end.
+    /// The value at node `i`, counted from the left end.
     fn at(&self, i: usize) -> f64 {
         if i == 0 { self.ends[0] } else { self.inner.get(i - 1).copied().unwrap_or(self.ends[1]) }
     }
 }
 
-/// Extremes of deflection and moment from values at nodes; places are counted in intervals from the left end of the values. `stiffness` is
-/// the least one, and `bent_by` how an interval bends by
-/// moments at its near and far end, beside one with that, at `most` so much.
+/// Extremes of deflection and moment from nodal values. Positions count in intervals from the left end of the values. `stiffness` is
+/// the smallest one. `bent_by` gives how moments at its near and far end bend an interval, relative to one with the smallest
+/// stiffness; `most` is the largest such value.
 pub(super) fn extremes(
     discretisation: Discretisation,
     deflection: Values<'_>,
@@ -40,13 +40,14 @@ pub(super) fn extremes(
     [found, nodal_extremes(moments)]
 }
 
-/// Extremes of values at nodes; places are counted in intervals.
+/// Extremes of nodal values, with positions in intervals.
 fn nodal_extremes(values: Values<'_>) -> Extremes {
     let [max, min] = values.ends.into_iter().fold(range(values.inner), |seen, end| wider(seen, [end; 2]));
     Extremes::known(max, min, |extreme, equal| near(values, extreme, equal))
 }
 
-/// Pairs of node and value that show all values within `equal` of an extreme, and one of each block that has none.
+/// Pairs of node and value. They include all values of each block with a value within `equal` of the extreme, and one value of every
+/// other block.
 fn near(values: Values<'_>, extreme: f64, equal: f64) -> impl Iterator<Item = (f64, f64)> + '_ {
     let blocks = values.inner.chunks(BLOCK).enumerate().flat_map(move |(b, block)| {
         let is_near = block.iter().fold(false, |near, value| near | ((value - extreme).abs() <= equal));
@@ -56,7 +57,7 @@ fn near(values: Values<'_>, extreme: f64, equal: f64) -> impl Iterator<Item = (f
     std::iter::once((0.0, left)).chain(blocks).chain(std::iter::once((number(values.inner.len() + 1), right)))
 }
 
-/// Values at node `first` and those right of it, with the number of the node for their place.
+/// Values from node `first` to the right, each with its node number as position.
 fn numbered(first: usize, values: &[f64]) -> impl Iterator<Item = (f64, f64)> + '_ {
     values.iter().enumerate().map(move |(k, value)| (number(first + k), *value))
 }
@@ -66,9 +67,9 @@ fn number(node: usize) -> f64 {
     node as f64
 }
 
-/// Greatest and least of some values, which may be no numbers. Each of four lanes depends on itself only.
+/// The largest and the smallest of some values, which may be NaN. Each of the four lanes depends only on itself.
 fn range(values: &[f64]) -> [f64; 2] {
-    /// As many numbers of 64 bits as common processors add at once.
+    /// The number of 64-bit numbers that common processors add at once.
     const LANES: usize = 4;
     let (mut max, mut min) = ([f64::NEG_INFINITY; LANES], [f64::INFINITY; LANES]);
     let (all, rest) = values.as_chunks::<LANES>();
@@ -81,15 +82,15 @@ fn range(values: &[f64]) -> [f64; 2] {
     lanes.chain(rest.iter().map(|value| [*value; 2])).reduce(wider).unwrap_or_default()
 }
 
-/// Not by `f64::max` and `f64::min`, which also look for NaN and are slower.
+/// Unlike `f64::max` and `f64::min` this does not check for NaN, which is faster.
 fn wider([max, min]: [f64; 2], [above, below]: [f64; 2]) -> [f64; 2] {
     [if max < above { above } else { max }, if below < min { below } else { min }]
 }
 
-/// Extremes of the deflection, `seen` at the nodes already, with those inside the intervals; `unit` is `Δ²/6EI` of the softest one.
+/// Extremes of the deflection including the inside of intervals; `seen` are the extremes at the nodes, `unit` is `Δ²/6EI` of the
+/// softest interval.
 ///
-/// Intervals that cannot reach beyond what is seen at the nodes are passed over: a beam leaves its chord by at most
-/// `Δ² max|M| / 8 EI`.
+/// Intervals that cannot exceed the extremes at the nodes are skipped: a beam departs from its chord by at most `Δ² max|M| / 8 EI`.
 fn cubic_extremes(
     deflection: Values<'_>,
     moments: Values<'_>,
@@ -106,7 +107,7 @@ fn cubic_extremes(
     for first in (0..intervals).step_by(BLOCK) {
         let end = intervals.min(first + BLOCK);
         let inner = first.max(1) - 1..end.min(intervals - 1);
-        // The ends of the beam are seen as well.
+        // `seen` also includes the ends of the beam.
         let of_block = |values: Values<'_>| {
             let ends = [values.at(first), values.at(end)].map(|value| [value; 2]);
             ends.into_iter().fold(range(&values.inner[inner.clone()]), wider)
@@ -129,7 +130,7 @@ fn cubic_extremes(
     found
 }
 
-/// Stationary points inside an interval, `[s, v]` with `0 < s < 1`, for deflections and `m = M Δ²/6EI` at its ends.
+/// Stationary points inside an interval, `[s, v]` with `0 < s < 1`, for the deflections and `m = M Δ²/6EI` at its ends.
 ///
 /// ```text
 /// v = v₀ r + v₁ s + m₀ r (1 − r²) + m₁ s (1 − s²),   v' = v₁ − v₀ − m₀ (1 − 3 r²) + m₁ (1 − 3 s²),    r = 1 − s
@@ -153,7 +154,7 @@ fn quadratic_roots(a: f64, b: f64, c: f64) -> [Option<f64>; 2] {
     [finite(q / a), finite(c / q)]
 }
 
-/// Extremes with places counted from another node.
+/// Extremes with positions counted from another node.
 #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
 pub(super) fn shifted(extremes: Extremes, by: usize) -> Extremes {
     Extremes { max_at: extremes.max_at + by as f64, min_at: extremes.min_at + by as f64, ..extremes }

@@ -1,4 +1,4 @@
-//! A beam on nodes that hold it, with the moments there: the forces at these nodes, and the clearances between them.
+//! A beam on nodes that hold it, with known moments there: the forces at these nodes and the clearances between them.
 //!
 //! Contact forces and clearances follow from the moments:
 //!
@@ -20,11 +20,11 @@ use crate::memory::zeros;
 use crate::qp::NotPositiveDefinite;
 use crate::state::{Discretisation, larger_moment};
 
-/// Rounding of a contact force or a clearance, in units in the last place of the numbers that it is a difference of: a
-/// profile is evaluated, a chord drawn, sums of loads are taken in blocks.
+/// Rounding of a contact force or a clearance, in units in the last place of the numbers of which it is a difference. It comes from
+/// evaluating a profile and a chord, and from summing loads in blocks.
 pub(super) const UNITS: f64 = 16.0;
 
-/// A negative clearance below this share of the deflection may be rounding, which is then computed.
+/// A negative clearance below this fraction of the deflection may be rounding. Only then is its rounding computed.
 pub(super) const NEAR_ZERO: f64 = 1e-12;
 
 /// Nodes of a stretch that needs no memory of its own.
@@ -37,35 +37,36 @@ pub(super) struct Beam<'a, S> {
     /// The span between two nodes.
     pub(super) span: S,
     pub(super) nodes: Vec<usize>,
-    /// Those among them that nothing holds: the beam changes there.
+    /// The nodes among them that nothing holds, where the beam changes.
     pub(super) free: Vec<usize>,
-    /// Supports that give and act on it, and the nodes that nothing but these hold.
+    /// Elastic supports that act on the beam, and the nodes that only an elastic support holds.
     pub(super) springs: Vec<NodeSpring>,
     pub(super) sprung: Vec<usize>,
     pub(super) moments: Vec<f64>,
-    /// How far the ground below each of them sinks, and the deflection of those that nothing holds; empty where it is rigid and there are
-    /// none.
+    /// Settlement of the foundation below each node; at nodes that nothing holds, the deflection. Empty if the foundation is rigid
+    /// and all nodes are held.
     pub(super) sunk: Vec<f64>,
-    /// What an axial force presses those down by that hold it, and the size of what that is a difference of; empty without one.
+    /// For each node that holds the beam, the force by which an axial force presses it down, and the size of the terms of which this
+    /// force is a difference. Empty without an axial force.
     pub(super) pulled: Vec<[f64; 2]>,
     pub(super) overhangs: [Option<Overhang>; 2],
-    /// The nodes of these at which the beam changes, from the root to the tip.
+    /// The nodes of the overhangs at which the beam changes, from the root to the tip.
     pub(super) beyond: [Vec<usize>; 2],
 }
 
-/// A stretch of the beam between two held nodes, or from one to a tip.
+/// A stretch of the beam between two held nodes, or from a held node to a tip.
 #[derive(Clone, Copy)]
 pub(super) struct Stretch {
     pub(super) nodes: [usize; 2],
-    /// Moments and deflections at its ends.
+    /// Moments and levels at its ends.
     pub(super) moments: [f64; 2],
     pub(super) levels: [f64; 2],
-    /// How far the tip of an overhang turns with its root.
+    /// How far the tip of an overhang moves by the rotation of its root.
     pub(super) lever: f64,
 }
 
 impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
-    /// The force that holds the beam at each of its nodes: the loads that go there, and the jump of the shear force.
+    /// The force that holds the beam at each node: the share of the loads there, and the jump of the shear force.
     pub(super) fn forces(&self, mut visit: impl FnMut(usize, f64)) {
         if !self.pulled.is_empty() {
             return self.forces_under_tension(visit);
@@ -108,12 +109,12 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         level.unwrap_or_else(|| self.discrete.level(node)) + sunk
     }
 
-    /// Whether nothing but a support that gives holds a node.
+    /// Whether only an elastic support holds a node.
     pub(super) fn is_sprung(&self, node: usize) -> bool {
         !self.sprung.is_empty() && self.sprung.binary_search(&node).is_ok()
     }
 
-    /// What contact exerts of all that holds the node of a support that gives and acts on the beam.
+    /// The contact force at a node with an active elastic support: the total force less the force of the spring.
     pub(super) fn beside_spring(&self, spring: &NodeSpring, all: f64) -> f64 {
         match self.nodes.binary_search(&spring.node) {
             Ok(i) if !self.is_sprung(spring.node) => all - spring.stiffness * (self.level(i) - spring.deflection),
@@ -121,7 +122,7 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         }
     }
 
-    /// The force of each support that gives and acts on the beam, from how far it is pressed: nothing cancels.
+    /// The force of an active elastic support from its compression, without cancellation.
     pub(super) fn spring_force(&self, spring: &NodeSpring) -> f64 {
         let Ok(i) = self.nodes.binary_search(&spring.node) else { return f64::NAN };
         let alone = self.is_sprung(spring.node);
@@ -129,7 +130,8 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         spring.stiffness * pressed
     }
 
-    /// Forces of all stops, and how far the beam is from the foot of each: nothing where it is pressed. Without what may be rounding.
+    /// Forces of all stops, and the distance of the beam from the foot of each, which is zero where the stop is pressed. Negative
+    /// values that may be rounding are set to zero.
     pub(super) fn stops(&self, range: &Range<usize>, clearance: &[f64]) -> [Vec<f64>; 2] {
         let stops = self.discrete.supports().stops();
         let largest = || self.moments.iter().fold(0.0, |most: f64, moment| most.max(moment.abs()));
@@ -160,15 +162,15 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         Stretch { nodes, moments: [self.moments[i], self.moments[i + 1]], levels, lever: 0.0 }
     }
 
-    /// Clearances at the nodes of a range that nothing holds; zero where they are negative by less than the rounding of what they
-    /// are differences of.
+    /// Clearances at the nodes of a range that nothing holds. A clearance that is negative by less than the rounding of its terms is
+    /// set to zero.
     ///
-    /// That is a local measure. Near a support of the beam, over ground that begins at its depth, all numbers are small, and
-    /// by the measure of the whole beam the beam could hang free, or pass through the ground, over thousands of nodes.
+    /// The rounding is measured locally. Near a support, over a foundation that begins at the level of the support, all numbers are
+    /// small. Measured by the whole beam, the beam could hang free or penetrate the foundation over thousands of nodes.
     pub(super) fn clearances(&self, range: &Range<usize>, clearance: &mut [f64]) {
         let mut buffer = Vec::new();
         for (i, pair) in self.nodes.windows(2).enumerate() {
-            // In dense contact there is nothing between.
+            // In dense contact there are no nodes between.
             if pair[0] + 1 < pair[1] && range.start.max(pair[0] + 1) < range.end.min(pair[1]) {
                 self.clearances_in(&self.stretch(i), range, clearance, &mut buffer);
             }
@@ -192,7 +194,7 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         }
     }
 
-    /// What the end moments of a stretch bend, `M L²/EI`, and how far an overhang turns with its root.
+    /// How far the end moments bend a stretch, `M L²/EI`, plus the movement of an overhang with its root.
     fn bent(&self, stretch: &Stretch) -> f64 {
         let Discrete { spacing, stiffness, .. } = self.discrete;
         let [first, last] = stretch.nodes;
@@ -201,19 +203,19 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         unit * stretch.moments[0].abs().max(stretch.moments[1].abs()) * (steps * steps) + stretch.lever
     }
 
-    /// The clearance of a node that hangs by `sag` below the level of its chord.
+    /// The clearance of a node that sags by `sag` below its chord.
     #[inline]
     fn clearance_of(&self, node: usize, chord: f64, sag: f64, bent: f64) -> f64 {
         let discrete = self.discrete;
         let open = (discrete.gap(node) - chord) - sag;
-        // Few clearances are negative by so little; only for those the rounding is computed.
+        // Few clearances are negative by so little; the rounding is computed for these only.
         let small = NEAR_ZERO * discrete.sizes().x;
         let is_rounding =
             open < 0.0 && -small < open && -open <= UNITS * f64::EPSILON * (discrete.depth_rounding(node) + bent);
         if is_rounding { 0.0 } else { open }
     }
 
-    /// The same strictly between the ends of a stretch.
+    /// The same at the nodes strictly between the ends of a stretch.
     #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
     fn clearances_in(&self, stretch: &Stretch, range: &Range<usize>, clearance: &mut [f64], buffer: &mut Vec<f64>) {
         let discrete = self.discrete;
@@ -224,7 +226,7 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         }
         let cube = discrete.spacing * discrete.spacing * discrete.spacing;
         let sixth = cube / (6.0 * discrete.stiffness) * discrete.divisions().softness(first);
-        // Moments and sags at the ends of the stretch within the range, which are those of the span as a rule.
+        // Moments and sags at the ends of the part of the stretch within the range, which is usually the whole stretch.
         let at = |node: usize| match node {
             _ if node == first => [ends[0], 0.0],
             _ if node == last => [ends[1], 0.0],
@@ -251,14 +253,14 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         statics::funicular(curvature, [sag0, sag1], sixth, sags);
 
         let (steps, bent) = ((last - first) as f64, self.bent(stretch));
-        // Clearances take the place of the sags.
+        // The clearances overwrite the sags.
         for (node, h) in inner.zip(sags) {
             let chord = from + (to - from) * ((node - first) as f64 / steps);
             *h = self.clearance_of(node, chord, *h, bent);
         }
     }
 
-    /// The force of each support of a beam that only supports hold, with the moments beside it \[force · length\].
+    /// The force of each support of a beam that only supports hold, with the moments next to it \[force · length\].
     pub(super) fn supports(&self) -> Vec<HeldNode> {
         let mut held: Vec<HeldNode> = Vec::new();
         self.forces(|node, force| held.push(HeldNode { node, force, moments: [0.0; 2] }));
@@ -269,7 +271,7 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         }
         let mut i = 0;
         for held in &mut held {
-            // Past places where the beam changes.
+            // Skips nodes at which the beam changes.
             while self.nodes[i] != held.node {
                 i += 1;
             }
@@ -283,7 +285,7 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         held
     }
 
-    /// Moments at all nodes \[force · length\]; beside a built-in support that of the side where it is larger.
+    /// Moments at all nodes \[force · length\]; at a built-in support the larger of the moments on its two sides.
     pub(super) fn moments(&self) -> Vec<f64> {
         let spacing = self.discrete.spacing;
         let mut moments = zeros(self.discrete.intervals + 1);
@@ -305,7 +307,7 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         moments
     }
 
-    /// Clearances at all nodes but supported ends, zero at those that are held.
+    /// Clearances at all nodes except supported ends, zero at held nodes.
     pub(super) fn clearance(&self) -> Vec<f64> {
         let nodes = self.discrete.nodes();
         let mut clearance = zeros(nodes.len());
@@ -313,7 +315,7 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         clearance
     }
 
-    /// Deflections at all nodes but supported ends.
+    /// Deflections at all nodes except supported ends.
     pub(super) fn deflection(&self) -> Vec<f64> {
         let nodes = self.discrete.nodes();
         let mut deflection = self.clearance();
@@ -326,7 +328,7 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
     }
 }
 
-/// A support of the beam: its node, its force, upwards, and the moments beside it.
+/// A support of the beam: its node, its upward force, and the moments next to it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct HeldNode {
     pub(super) node: usize,
@@ -335,14 +337,14 @@ pub(super) struct HeldNode {
 }
 
 impl HeldNode {
-    /// The supports of a beam where a number is not finite.
+    /// The supports with NaN for all values, for a beam in which a number is not finite.
     pub(super) fn unknown(discrete: &Discrete) -> Vec<Self> {
         let supports = discrete.supports().all().iter();
         supports.map(|support| Self { node: support.node, force: f64::NAN, moments: [f64::NAN; 2] }).collect()
     }
 }
 
-/// The beam on its supports alone, above ground at zero.
+/// The beam on its supports alone, above a foundation at level zero.
 pub(super) fn on_supports(
     discrete: &Discrete,
     discretisation: Discretisation,
@@ -354,27 +356,28 @@ pub(super) fn on_supports(
 /// Force and moment of a span at one of its ends.
 #[derive(Default)]
 pub(super) struct SpanEnd {
-    /// A share of its loads, and a shear force.
+    /// Its share of the loads of the span, and the shear force.
     pub(super) share: f64,
     pub(super) shear: f64,
-    /// Moments at its two ends, and its length.
+    /// Moments at both ends of the span, and its length.
     pub(super) moments: [f64; 2],
     pub(super) steps: f64,
 }
 
 impl SpanEnd {
-    /// The contact force between this span and the next one, for the load on the node with the share of the next span; zero
-    /// where it is negative by less than the rounding of what it is a difference of.
+    /// The contact force between this span and the next one, for the load on the node plus the share of the next span. A force that
+    /// is negative by less than the rounding of its terms is set to zero.
     ///
-    /// The jump of the shear force comes first. In dense contact it is a small difference of numbers with the same exponent,
-    /// and exact; a load, or a share of the loads of a span, that is added to a shear force before would be rounded in the same
+    /// The jump of the shear force is computed first. In dense contact it is a small difference of numbers with the same exponent,
+    /// and exact. If a load, or a share of the loads of a span, were added to a shear force before, it would be rounded in the same
     /// way at each of a million nodes.
     #[inline]
     fn contact_force(&self, next: &Self, load: f64) -> f64 {
         self.pulled_force(next, load, [0.0; 2])
     }
 
-    /// The same with what an axial force presses the node down by, and the size of what that is a difference of.
+    /// The same with the force by which an axial force presses the node down, and the size of the terms of which that force is a
+    /// difference.
     #[inline]
     pub(super) fn pulled_force(&self, next: &Self, load: f64, [pulled, size]: [f64; 2]) -> f64 {
         let carried = self.share + load;

@@ -1,5 +1,5 @@
-//! The three methods of the paper: each turns a scene on a grid into a quadratic program (32) and an answer of that program
-//! into a [`ContactState`](crate::state::ContactState). No algorithm of optimisation is used here.
+//! The three methods of the paper. Each turns a scene on a grid into a quadratic program (32), and an answer of that program into a
+//! [`ContactState`](crate::state::ContactState). None contains an optimisation algorithm.
 //!
 //! | method | unknown `x` | `A` | `b` | gradient |
 //! |---|---|---|---|---|
@@ -7,10 +7,11 @@
 //! | [`Displacement`](Method::Displacement), (17)–(24) | clearance `h` | condensed stiffness `K` (20) | `K u − q` | nodal contact force |
 //! | [`Force`](Method::Force), (25)–(31) | nodal contact force `p` | flexibility `C` (26) | `C q − u` | clearance `h` |
 //!
-//! The table is that of the paper's beam; with an own shape or supports at other levels the gap `g` takes the place of `u`.
+//! The table is for the paper's beam. For a beam with an initial shape or supports at other levels, the gap `g` replaces `u`.
 //!
-//! On a given set of contacts all three are one beam, or one chain of links, on supports at the level of the ground. It is solved
-//! in `contact_set.rs`, on ground that gives in `springs.rs` and under an axial force in `axial.rs`, without these matrices, so that no method loses digits on fine grids.
+//! On a given set of contacts all three methods describe the same beam, or the same chain of links, on supports at the level of the
+//! foundation. `contact_set.rs` solves it, `springs.rs` on an elastic foundation and `axial.rs` under an axial force. None of them
+//! uses the matrices of the table, so no method loses digits on fine grids.
 
 mod answer;
 mod axial;
@@ -60,10 +61,10 @@ pub enum Method {
 }
 
 impl Method {
-    /// All of them, in the order of the paper.
+    /// All methods, in the order of the paper.
     pub const ALL: [Self; 3] = [Self::Complementarity, Self::Displacement, Self::Force];
 
-    /// The word that command line, JSON and report use.
+    /// The name used by command line, JSON and report.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -73,13 +74,13 @@ impl Method {
         }
     }
 
-    /// The quadratic program (32) that this method makes of a scene on a grid.
+    /// The quadratic program (32) of this method for a scene on a grid.
     #[must_use]
     pub fn qp(self, discrete: &Discrete) -> Box<dyn Qp + '_> {
         Box::new(Program { method: self, discrete })
     }
 
-    /// How the beam of this method bends between the nodes.
+    /// The shape of the beam of this method between the nodes.
     #[must_use]
     pub fn discretisation(self) -> Discretisation {
         match self {
@@ -88,8 +89,7 @@ impl Method {
         }
     }
 
-    /// Whether the variable of a node is free where there is contact, as a contact force is, or where there is none, as a
-    /// clearance is.
+    /// Whether the variable of a node is free where there is contact, like a contact force, or where there is none, like a clearance.
     #[must_use]
     pub fn is_free_in_contact(self) -> bool {
         match self {
@@ -98,7 +98,7 @@ impl Method {
         }
     }
 
-    /// Length by which a contact force is divided in the gradient: finite differences have pressures, the others forces.
+    /// The length by which a contact force is divided in the gradient: finite differences use pressures, the other methods forces.
     #[must_use]
     pub fn share(self, discrete: &Discrete) -> f64 {
         match self {
@@ -107,7 +107,7 @@ impl Method {
         }
     }
 
-    /// What an answer `(x, g)` of the quadratic program means for the nodes.
+    /// The nodal values that belong to an answer `(x, g)` of the quadratic program.
     #[must_use]
     pub fn nodal(self, discrete: &Discrete, x: Vec<f64>, gradient: Vec<f64>) -> Nodal {
         let [x, gradient] = [x, gradient].map(|values| discrete.with_supports(values));
@@ -119,10 +119,10 @@ impl Method {
         Nodal::new(discrete, self.discretisation(), clearance, contact_force)
     }
 
-    /// `cond A = ‖A‖ ‖A⁻¹‖` of its matrix in the Euclidean norm, on `intervals` equal intervals of any beam.
+    /// `cond A = ‖A‖ ‖A⁻¹‖` of the matrix of this method in the Euclidean norm, on `intervals` equal intervals of any beam.
     ///
-    /// All three matrices are functions of one, `T = tridiag(−1, 2, −1)` of shape (n, n), whose eigenvalues are known, and grow
-    /// with them, so that condition numbers are quotients of the first and the last:
+    /// All three matrices are functions of `T = tridiag(−1, 2, −1)`, shape (n, n), whose eigenvalues are known. They are monotonic in
+    /// `T`, so their condition numbers are quotients of the values at its largest and smallest eigenvalues:
     ///
     /// ```text
     /// λ_k = 4 sin²(k π / 2N),   k = 1 … n

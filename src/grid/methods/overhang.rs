@@ -1,4 +1,4 @@
-//! What hangs over beyond the outermost nodes that hold a beam: its load by statics, and its deflection from the slope at its root.
+//! Overhangs beyond the outermost nodes that hold a beam: their loads by statics, and their deflections from the slope at the root.
 
 use super::Discrete;
 use super::discrete::as_float;
@@ -6,7 +6,7 @@ use super::divisions::LOOSE;
 use super::held_beam::{Beam, Stretch};
 use super::span::Span;
 
-/// The resultant of an overhang at its node: the sum of its loads, and their moment, negative where they bend it down.
+/// The resultant of an overhang at its root: the sum of its loads, and their moment, negative where they bend the overhang down.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Overhang {
     pub(super) force: f64,
@@ -14,7 +14,7 @@ pub(super) struct Overhang {
 }
 
 impl Overhang {
-    /// From the span between its tip and its node, the side on which the tip is, and the load on the tip.
+    /// The overhang on the span between tip and root. `side` is the side of the tip, and `tip` the load on it.
     pub(super) fn of(span: Span, side: usize, tip: f64) -> Self {
         let at_tip = span.shares[side] + tip;
         Self { force: at_tip + span.shares[1 - side], moment: -at_tip * span.steps }
@@ -22,13 +22,14 @@ impl Overhang {
 }
 
 impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
-    /// The overhang on one side, if there is one: its stretches between places where the beam changes, from the root to the tip.
+    /// The stretches of the overhang on one side between nodes where the beam changes, from the root to the tip. Empty without an
+    /// overhang.
     pub(super) fn overhang(&self, side: usize) -> Vec<Stretch> {
         let Discrete { stiffness, spacing, loads, .. } = self.discrete;
         let Some(Overhang { moment, .. }) = self.overhangs[side] else { return Vec::new() };
         let end = self.nodes.len() - 1;
         let list = if side == 0 { [0, 1] } else { [end, end - 1] };
-        // Where a spring holds the slope the span inside has it, or the spring alone.
+        // With a rotational spring the slope is that of the inner span, or of the spring if there is no inner span.
         let held = self.discrete.supports().at(self.nodes[list[0]]).and_then(|support| support.held.slope);
         let list = match (self.nodes[list[0]] == self.nodes[list[1]] && held.is_none(), side) {
             (true, 0) if 2 < self.nodes.len() => [1, 2],

@@ -1,15 +1,15 @@
-//! The quadratic program (32) of a scene on a grid, by any of the methods, from the beam on a set of contacts alone.
+//! The quadratic program (32) of a scene on a grid, for each method, from nothing but the beam on a set of contacts.
 //!
 //! ```text
 //! methods 1 and 2    p = q − K v,  v = g − h     the forces that hold the beam at every node, at the level v
 //! method 3           h = g − v,    v = C (q − p)  the beam on its supports alone, under loads q − p
 //! ```
 //!
-//! On ground that gives `h` is the clearance of the foot of a spring, `g − v + p/kΔ`: `A` is `C + diag(1/kΔ)` and its inverse.
+//! On an elastic foundation `h` is the clearance of the foot of a spring, `g − v + p/kΔ`. `A` is `C + diag(1/kΔ)`, or its inverse.
 //!
-//! Both are linear in the unknown but for what loads, gaps, levels and slopes add; the columns of `A` are what is left without
-//! these. A beam that its supports do not hold has no `C`: forces that are not in balance have no position of rest. Its
-//! complementary energy is minimised over contact forces in balance.
+//! Both are linear in the unknown except for the terms from loads, gaps, levels and slopes. Without these terms they give the columns
+//! of `A`. If the supports do not hold the beam there is no `C`: forces that are not in balance have no position of rest. The
+//! complementary energy is then minimised over contact forces in balance.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -25,7 +25,7 @@ pub(super) struct Program<'a> {
 }
 
 impl Program<'_> {
-    /// Variables and gradient from contact forces and clearances at all nodes but supported ends.
+    /// Variables and gradient from contact forces and clearances at all nodes except supported ends.
     fn point(&self, OnContacts { contact_force, clearance }: OnContacts) -> Stationary {
         let contact_force = self.discrete.without_supports(contact_force);
         let clearance = self.discrete.without_supports(clearance);
@@ -42,7 +42,7 @@ impl Qp for Program<'_> {
         self.discrete.unknowns()
     }
 
-    /// That of the paper for the paper's beam; for any other by columns.
+    /// The matrix of the paper for the paper's beam; for any other beam, column by column.
     fn matrix(&self) -> Matrix {
         if self.discrete.is_simple() {
             return match self.method {
@@ -59,10 +59,10 @@ impl Qp for Program<'_> {
             DVector::from_vec(Program { method: self.method, discrete: &bare }.gradient(&unit))
         };
         let matrix = DMatrix::from_columns(&(0..n).map(column).collect::<Vec<_>>());
-        // Symmetric but for rounding, and callers need it symmetric.
+        // Symmetric up to rounding, and callers need exact symmetry.
         let matrix = (&matrix + matrix.transpose()) * 0.5;
         match self.method {
-            // What the open nodes between leave of the difference equations is full.
+            // Open nodes between the others make the matrix of the difference equations full.
             _ if self.discrete.has_open_nodes() => Matrix::Dense(matrix),
             Method::Complementarity if !self.discrete.gives() && self.discrete.supports().stops().is_empty() => {
                 let entry = |i: usize, k: usize| if i + k < n { matrix[(i, i + k)] } else { 0.0 };
@@ -74,7 +74,8 @@ impl Qp for Program<'_> {
 
     fn sparse(&self) -> Option<SparseForm> {
         let in_contact = self.method.is_free_in_contact();
-        // Of a few places in clearances the matrix is the better form: nothing has to be eliminated. Compression makes the other one not convex.
+        // For clearances at a few nodes the matrix is the better form: nothing has to be eliminated. Under compression the other form
+        // is not convex.
         let few = self.discrete.has_open_nodes() && !self.discrete.gives() && !in_contact;
         if few || self.discrete.tension < 0.0 {
             return Some(SparseForm::of_matrix(self));
@@ -108,7 +109,7 @@ impl Qp for Program<'_> {
         forces.map_or_else(|_| vec![f64::NAN; self.dimension()], |forces| self.point(forces).gradient)
     }
 
-    /// Contact where forces are free, or where clearances are not: a beam, or a chain of links, that touches there.
+    /// The beam, or chain of links, in contact where forces are free or clearances are not.
     fn stationary(&self, free: &FreeSet) -> Result<Stationary, NotPositiveDefinite> {
         let in_contact = self.method.is_free_in_contact();
         let contacts = free.iter().enumerate().filter(|(_, free)| *free == in_contact);
@@ -133,11 +134,11 @@ impl Qp for Program<'_> {
     }
 }
 
-/// Why a beam that its supports do not hold has no matrix of flexibility.
+/// The reason why a beam that its supports do not hold has no flexibility matrix.
 const NO_FLEXIBILITY: &str =
     "the supports leave the beam free to move as a whole, so that there is no flexibility matrix";
 
-/// The deflection at all nodes but supported ends of the beam on its supports, under its loads less some contact forces at slots.
+/// The deflection at all nodes except supported ends, for the beam on its supports under its loads less contact forces given at slots.
 pub(super) fn deflection(discrete: &Discrete, forces: &[f64], discretisation: Discretisation) -> Vec<f64> {
     let unknown = || vec![f64::NAN; discrete.nodes().len()];
     if !discrete.is_held() {
@@ -147,7 +148,7 @@ pub(super) fn deflection(discrete: &Discrete, forces: &[f64], discretisation: Di
     held_beam::on_supports(&basic, discretisation).map_or_else(|_| unknown(), |beam| beam.deflection())
 }
 
-/// `q − p` at all nodes, of contact forces at slots.
+/// `q − p` at all nodes, for contact forces given at slots.
 fn remaining(discrete: &Discrete, forces: &[f64]) -> Vec<f64> {
     let mut loads = discrete.loads.clone();
     let (at_nodes, stops) = forces.split_at(discrete.nodes().len());

@@ -1,13 +1,13 @@
-//! The motion of a beam as a whole, where its supports leave it free: where it would rest if it were rigid, and a beam in balance on
-//! a single place, whose forces are certain and whose position is one of an interval.
+//! Rigid motions of a beam that its supports do not hold. This covers the rest position of a rigid beam, and a beam in balance on a
+//! single contact. In the latter case the forces are unique, and the slope is any of an interval.
 //!
 //! ```text
 //! v(x) = v₀(x) + θ (x − a)         v₀: in balance at a, with slope 0 there
 //! h = g − v ≥ 0 at all nodes       an interval of slopes, which may be without end on a side
 //! ```
 //!
-//! Where a smooth place of the ground carries it, the beam has the slope of the ground there: that it could turn until a neighbouring
-//! node touches is an effect of the grid. At a corner the slopes of its two sides are limits as well.
+//! On a smooth foundation the beam has the slope of the foundation at its contact. The grid would let it rotate until a neighbouring
+//! node touches, which is an effect of the grid. At a corner the slopes of its two sides are limits as well.
 
 use std::sync::Arc;
 
@@ -18,14 +18,14 @@ use crate::qp::FreeSet;
 use crate::scene::{Balance, Foundation, Held};
 use crate::state::{Discretisation, Motion};
 
-/// Slopes, and depths, that differ by less than this share of their size are equal.
+/// Slopes, or depths, that differ by less than this fraction of their size are equal.
 const SAME_SLOPE: f64 = 64.0 * f64::EPSILON;
 
 impl Discrete {
-    /// Slopes of the gap to the left and to the right of a node, between which a beam may lie that touches there; infinite on the
-    /// deeper side of a step, and beyond an end of the beam. Equal but for rounding are equal.
+    /// The slopes of the gap to the left and to the right of a node, which limit the slope of a beam in contact there. Infinite on
+    /// the deeper side of a step and beyond an end of the beam. Slopes that differ by rounding only are made equal.
     fn slopes_at(&self, node: usize) -> [f64; 2] {
-        // The ground is farther down on both sides.
+        // The foundation is lower on both sides.
         if self.supports().below(node).is_some() {
             return [f64::NEG_INFINITY, f64::INFINITY];
         }
@@ -48,7 +48,7 @@ impl Discrete {
         ]
     }
 
-    /// The same beam, held at one node alone at a given slope, where it is held or touches the ground now; above ground at zero.
+    /// The same beam held at one node alone, at its support or contact level and at a given slope, above a foundation at level zero.
     fn turned_about(&self, node: usize, slope: f64) -> Self {
         let below = self.supports().at(node).map_or(0.0, |support| support.below);
         let (at, deflection) = (self.grid.place(node), self.level(node));
@@ -57,7 +57,7 @@ impl Discrete {
         self.on(self.supports().holding(vec![NodeSupport { node, held, below }]), self.loads.clone())
     }
 
-    /// The node at the one place about which the beam is free to turn, if the loads are in balance there.
+    /// The node of the single position about which the beam can rotate freely, if the loads are in balance there.
     fn pivot(&self, balance: &Balance) -> Option<usize> {
         match balance {
             Balance::Neutral { about, .. } => self.grid.node_at(*about),
@@ -73,11 +73,12 @@ impl Discrete {
         [force, moment]
     }
 
-    /// The nodes on which the beam would rest besides its supports if it were rigid: none if these hold it, one if it turns about
-    /// its support, and otherwise two, the ends of the edge of the convex hull of the ground that lies below the resultant.
+    /// The places on which the beam would rest in addition to its supports if it were rigid. None if the supports hold it, and one if
+    /// it rotates about its support. Otherwise two: the ends of that edge of the convex hull of the foundation that lies below the
+    /// resultant.
     ///
-    /// This is step 0° of the paper's algorithm for a beam whose rigid motion is not known: contacts in balance, from where the
-    /// descent can start.
+    /// This is step 0° of the paper's algorithm for a beam with an unknown rigid motion: contacts in balance, from which the descent
+    /// can start.
     #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
     pub(crate) fn resting(&self) -> Vec<usize> {
         match self.supports().all() {
@@ -109,7 +110,7 @@ impl Discrete {
         }
     }
 
-    /// The places at which the beam may touch, by their nodes, of two at one node the higher one.
+    /// The places at which the beam may be in contact, ordered by node. If two share a node, only the higher one.
     fn by_node(&self) -> Vec<usize> {
         let mut places: Vec<usize> = self.places().collect();
         if !self.supports().stops().is_empty() {
@@ -120,14 +121,14 @@ impl Discrete {
         places
     }
 
-    /// Makes contact at these nodes the only one, if the nodes in contact do not hold the beam. The variable of a node in contact is
-    /// free if `in_contact`; `place` is that of a variable.
+    /// Makes the places of `resting` the only contacts if the present contacts do not hold the beam. The variable of a node in
+    /// contact is free if `in_contact`; `place` is the place of a variable.
     pub(crate) fn hold(&self, free: &mut FreeSet, in_contact: bool, place: impl Fn(usize) -> usize) {
         let lacking = self.supports().lacking();
         if lacking == 0 {
             return;
         }
-        // Contact at the only spring does not keep the beam from turning.
+        // Contact at the node of the only elastic support does not prevent rotation.
         let is_free = |node: usize| {
             self.supports().at(node).is_none() && self.supports().springs().iter().all(|s| s.node != node)
         };
@@ -143,7 +144,7 @@ impl Discrete {
         }
     }
 
-    /// The deflection of that rigid beam at a node; zero of a beam that its supports hold.
+    /// The deflection of the rigid beam at rest at a node; zero if the supports hold the beam.
     #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
     pub(super) fn resting_line(&self) -> impl Fn(usize) -> f64 {
         let mut nodes = self.resting();
@@ -159,7 +160,7 @@ impl Discrete {
     }
 }
 
-/// The nodes of the lower convex hull of points from left to right: of gaps, where a rigid beam can rest.
+/// The nodes of the lower convex hull of points given from left to right. For gaps, these are the points on which a rigid beam can rest.
 #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
 fn lower_hull(points: impl Iterator<Item = (usize, f64)>) -> Vec<usize> {
     let mut hull: Vec<(usize, f64)> = Vec::new();
@@ -175,11 +176,11 @@ fn lower_hull(points: impl Iterator<Item = (usize, f64)>) -> Vec<usize> {
     hull.into_iter().map(|(node, _)| node).collect()
 }
 
-/// Forces below this share of all others are rounding: what balances does not turn.
+/// Forces below this fraction of the sum of all forces are rounding, so that the beam does not rotate.
 const IN_BALANCE: f64 = 1e-12;
 
-/// The beam that is carried by one node alone, with the slope nearest to zero of those that it may have, and these if there is more
-/// than one. [`None`] if the ground beside holds it.
+/// The beam carried by one node alone, with the admissible slope nearest to zero, and the interval of admissible slopes if there is
+/// more than one. [`None`] if no slope is admissible, because the foundation next to the node also holds the beam.
 #[must_use]
 #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
 pub(crate) fn balanced(
@@ -192,7 +193,8 @@ pub(crate) fn balanced(
     let deflections = |slope: f64| {
         let turned = discrete.turned_about(node, slope);
         let mut deflection = held_beam::on_supports(&turned, discretisation).ok()?.deflection();
-        // A free end that carries the beam alone is held here and none of the nodes; the other end is free too, and node 0 the first.
+        // If a free end carries the beam alone it is held here, so it is not among the nodes. The other end is free too, and node 0
+        // is the first node.
         if deflection.len() < nodes.len() {
             deflection.insert(node, discrete.level(node));
         }
@@ -223,13 +225,13 @@ pub(crate) fn balanced(
     }
     if discrete.supports().at(node).is_none() {
         let [left, right] = discrete.slopes_at(node);
-        // A smooth place may lie between nodes: of the slopes that the grid leaves, the nearest one.
+        // On a smooth foundation the contact may lie between nodes. The slope is then the nearest one that the grid allows.
         [least, most] = [left.clamp(least, most), right.clamp(least, most)];
     }
     let end = |slope: f64| slope.is_finite().then_some(slope);
     let motion = (least < most).then(|| Motion { about: discrete.grid.place(node), slope: [end(least), end(most)] });
     let deflection = deflections(0.0_f64.max(least).min(most))?;
-    // Where the slope is the limit, rounding may be left of the clearance.
+    // Where the slope is at its limit, rounding may make the clearance negative.
     let clearance = clearances(&deflection).into_iter().map(|h| h.max(0.0)).collect();
     let mut contact_force = vec![0.0; nodes.len()];
     if discrete.supports().at(node).is_none() {
@@ -241,11 +243,11 @@ pub(crate) fn balanced(
     Some((nodal, motion))
 }
 
-/// The node that carries a beam alone which its supports do not hold, if there is one and the loads are in balance on it: the place
-/// above which their resultant is, or the only contact that was found.
+/// The node that alone carries a beam that its supports do not hold, if the loads are in balance on it. It is the node below their
+/// resultant, or the only contact that was found.
 #[must_use]
 pub(crate) fn single_contact(discrete: &Discrete, balance: &Balance, nodal: &Nodal) -> Option<usize> {
-    // A support that gives holds the beam together with any contact, and so does tension.
+    // An elastic support holds the beam together with any contact, and so does tension.
     let gives = !discrete.supports().springs().is_empty();
     let is_held = *balance == Balance::Held || gives || discrete.tension != 0.0;
     if is_held || nodal.contact_force.iter().any(|p| p.is_nan()) {

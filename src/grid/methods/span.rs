@@ -1,28 +1,28 @@
-//! A stretch of the beam between two contacts as a simple beam under the loads on it.
+//! A stretch of the beam between two contacts, treated as a simple beam under its loads.
 //!
-//! Four numbers of a span enter the three-moment equations: the shares of its loads that go to its ends, and its end rotations.
-//! Two neighbours, of `a` and `b` intervals, that share a node with the load `q` make one span:
+//! Four numbers of a span enter the three-moment equations: the shares of its loads at its two ends, and its two end rotations. Two
+//! neighbours of `a` and `b` intervals that share a node with the load `q` form one span:
 //!
 //! ```text
 //! F = right₁ + left₂ + q,    M = F a b/(a + b),    κ = (ϑ_right₁ + 2a M) + (ϑ_left₂ + 2b M)
 //! left = left₁ + F b/(a + b),   ϑ_left = ϑ_left₁ + a M + κ b/(a + b),    and the mirror image on the right
 //! ```
 //!
-//! with the moment `M` and the kink `κ` at the node between them. Under loads of one sign all terms have one sign: no
-//! digits are lost, however many spans are joined. Lengths are counted in intervals, so moments have the unit `force · Δ`
-//! and `ϑ = 6 EI θ / Δ²` has that of a force times an interval squared.
+//! with the moment `M` and the kink `κ` at the node between them. Under loads of one sign all terms have one sign, so no digits are
+//! lost, however many spans are joined. Lengths count in intervals. Moments therefore have the unit `force · Δ`, and
+//! `ϑ = 6 EI θ / Δ²` is a force times an interval squared.
 
 use crate::state::Discretisation;
 
-/// The loads of a span by their effect on its ends, as those of a simple beam. Positive rotations sag.
+/// The effect of the loads of a span on its ends, as of a simple beam. Positive rotations sag.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Span {
-    /// Number of intervals, and how soft each of them is: `e = EI₀/EI`.
+    /// Number of intervals, and the softness of each of them, `e = EI₀/EI`.
     pub(crate) steps: f64,
     pub(crate) soft: f64,
-    /// Shares of the loads between the ends that go to the left and to the right end \[force\].
+    /// Shares of the loads between the ends that the left and the right end carry \[force\].
     pub(crate) shares: [f64; 2],
-    /// End rotations `ϑ`, in a unit with the least bending stiffness.
+    /// End rotations `ϑ`, in a unit based on the least bending stiffness.
     pub(crate) rotations: [f64; 2],
 }
 
@@ -30,7 +30,7 @@ impl Span {
     /// A single interval, which carries no load between its ends.
     pub(crate) const INTERVAL: Self = Self { steps: 1.0, soft: 1.0, shares: [0.0; 2], rotations: [0.0; 2] };
 
-    /// Nodes up to which loads are summed one by one. Longer spans are joined from halves, so that rounding grows with the
+    /// Number of loads up to which they are summed one by one. Longer spans are joined from halves, so that rounding grows with the
     /// logarithm of the length.
     const SHORT: usize = 32;
 
@@ -61,7 +61,7 @@ impl Span {
         Self { steps, soft: 1.0, shares: shares.map(|s| s / steps), rotations: rotations.map(|r| r / steps) }
     }
 
-    /// Two neighbours as one, with the load on the node between them.
+    /// Two neighbours as one span, with the load on the node between them.
     pub(crate) fn joined(self, next: Self, load: f64) -> Self {
         let (a, b) = (self.steps, next.steps);
         let steps = a + b;
@@ -77,8 +77,8 @@ impl Span {
         }
     }
 
-    /// Moment and sag (in `6 EI / Δ³`, below the chord) between this part of a span and the next one, for given moments at
-    /// the ends of both together.
+    /// Moment and sag (in `6 EI / Δ³`, below the chord) between this part of a span and the next one, for given moments at the ends
+    /// of the whole.
     pub(super) fn between(self, next: Self, load: f64, ends: [f64; 2], discretisation: Discretisation) -> [f64; 2] {
         let (a, b) = (self.steps, next.steps);
         let (left, right) = (a / (a + b), b / (a + b));
@@ -90,27 +90,28 @@ impl Span {
         [moment, kink * a * right]
     }
 
-    /// The same of intervals that are `e` as soft.
+    /// The same span with intervals of relative softness `e`.
     #[inline]
     pub(super) fn softened(self, e: f64) -> Self {
         Self { soft: e, rotations: self.rotations.map(|rotation| e * rotation), ..self }
     }
 
-    /// How far moments of one at an end and at the other one turn that end: `2L` and `L` of a beam, and of a chain of [`links`].
+    /// The rotations of an end by a unit moment there and by one at the other end: `2L` and `L` of a beam, and those of a chain of
+    /// [`links`].
     pub(super) fn turned(&self, discretisation: Discretisation) -> [f64; 2] {
         let links = links(discretisation, self.steps);
         [self.soft * (2.0 * self.steps + links), self.soft * (self.steps - links)]
     }
 }
 
-/// `1/L` for a chain of links, zero for a beam: how sums over the nodes of a span of `L` intervals differ from integrals,
+/// `1/L` for a chain of links, zero for a beam: the difference between sums over the nodes of a span of `L` intervals and integrals,
 ///
 /// ```text
 /// 6 Σ φ² + 3 = 2L + 1/L,   6 Σ φ (1 − φ) = L − 1/L        (beam: 2L and L)
 /// ```
 ///
-/// with the linear `φ` that falls from 1 to 0, over inner nodes; the held node at the end adds 3 on both sides. Zero as well where
-/// there is no span.
+/// with the linear `φ` that falls from 1 to 0, summed over inner nodes. The held node at the end adds 3 on both sides. Also zero if
+/// the span has length zero.
 pub(super) fn links(discretisation: Discretisation, steps: f64) -> f64 {
     match discretisation {
         _ if steps == 0.0 => 0.0,
@@ -123,7 +124,7 @@ pub(super) fn links(discretisation: Discretisation, steps: f64) -> f64 {
 mod tests {
     use super::Span;
 
-    /// A force of one on every node, and the end rotation `Σ b (L² − b²)/L` summed as whole numbers.
+    /// A unit force on every node, and the end rotation `Σ b (L² − b²)/L` summed in integers.
     #[test]
     fn joined_spans_are_one_span() {
         for steps in [1, 2, 32, 33, 34, 67, 100, 1000_u32] {

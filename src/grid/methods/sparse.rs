@@ -1,7 +1,7 @@
-//! The methods in the variables in which they are sparse: moments beside clearances, or beside contact forces.
+//! Sparse forms of the methods: moments together with clearances, or with contact forces.
 //!
-//! Methods 1 and 2 minimise the potential energy in clearances `h` and moments `M`, with the curvature as equation; method 3
-//! the complementary energy in contact forces `p` and moments, with equilibrium as equation:
+//! Methods 1 and 2 minimise the potential energy in clearances `h` and moments `M`, with the curvature as equation. Method 3
+//! minimises the complementary energy in contact forces `p` and moments, with equilibrium as equation:
 //!
 //! ```text
 //! ½ Σ (Δ/EI) M c(M) + Σ q h    subject to   (Δ/EI) c(M)_i − δ²h_i/Δ = −δ²u_i/Δ,   h ≥ 0
@@ -10,35 +10,36 @@
 //! δ²y_i = y_{i−1} − 2 y_i + y_{i+1};   c(M)_i = M_i, or (M_{i−1} + 4 M_i + M_{i+1})/6 for beam elements
 //! ```
 //!
-//! On ground that gives `h` is the clearance of the foot of a spring, whose compression `s/√kΔ` is one more variable without a sign,
-//! with the energy `½ s²`; contact forces have the energy `½ p²/kΔ`. Supports that give are variables as well, with one equation each in
-//! clearances:
+//! On an elastic foundation `h` is the clearance of the foot of a spring. The compression `s/√kΔ` of the spring is an additional
+//! variable without a sign constraint, with the energy `½ s²`. Contact forces have the energy `½ p²/kΔ`. Elastic supports are
+//! variables as well, with one equation each in clearances:
 //!
 //! ```text
 //! s/√k + h = g − d          + h_s of one that only pushes, the clearance of its foot       energy ½ s²
 //! R                         a force in the equilibrium of its node                         energy ½ R²/k + d R
 //! ```
 //!
-//! Under tension `N` clearances have the energy of a string besides, and the force of the string across each interval is a variable of the
-//! complementary energy; under compression neither is convex, and the matrix takes the place of the form:
+//! Under tension `N` clearances also have the energy of a string. The force of the string across each interval is a variable of the
+//! complementary energy. Under compression neither energy is convex, and the matrix replaces the sparse form:
 //!
 //! ```text
 //! ½ (N/Δ) Σ (h_{i+1} − h_i)² + Σ N bend_i h_i        ½ (Δ/N) Σ T²,  in equilibrium T_i − T_{i−1}
 //! ```
 //!
-//! Moments are variables at the nodes where the beam can bend, forces and clearances at those without a support. A support that holds
-//! the slope has a moment on each of its sides, each with half a cell; where a spring holds it the jump has the energy `½ (ΔM)²/k`.
+//! Moments are variables at the nodes where the beam can bend, and forces and clearances at the nodes without a support. A support
+//! that holds the slope has a moment on each of its sides, each with half a cell. With a rotational spring the jump of the moment has
+//! the energy `½ (ΔM)²/k`.
 //!
-//! Second differences appear instead of fourth ones: condition numbers are roots of those of `A`.
+//! Second differences replace fourth differences, so condition numbers are square roots of those of `A`.
 //!
-//! *Scaling.* Energy is measured by `X G`, with the sizes of [`Discrete::sizes`], and each equation is divided by what stands
-//! before its second difference. Units of moment and of the variables with a sign were found by measurement, with 300, 3000
-//! and 30 000 intervals of the example, among powers of the number of nodes:
+//! *Scaling.* Energy is divided by `X G`, with the sizes of [`Discrete::sizes`], and each equation by the coefficient of its second
+//! difference. The units of moments and of variables with a sign constraint were tuned by measurement, with 300, 3000 and 30 000
+//! intervals of the example, among powers of the number of nodes:
 //!
-//! - potential energy: `M₀ = √(EI X G/Δ)`, which makes the quadratic part `c` itself, and clearances in units of `X/√n`;
-//! - complementary energy: `M₀ = G Δ`, which makes equilibrium `δ²M − p = −q` in plain numbers, and forces in units of `G`.
+//! - potential energy: `M₀ = √(EI X G/Δ)`, which makes the quadratic part equal to `c`, and clearances in units of `X/√n`;
+//! - complementary energy: `M₀ = G Δ`, which gives equilibrium `δ²M − p = −q` coefficients of one, and forces in units of `G`.
 //!
-//! With other choices the libraries do not converge on 30 000 intervals, or on 3000.
+//! With other choices the solvers of the libraries do not converge on 30 000 intervals, or on 3000.
 
 mod string;
 
@@ -49,17 +50,17 @@ use super::{Discrete, Method};
 use crate::qp::{Sizes, SparseForm, UpperColumns};
 use crate::state::Discretisation;
 
-/// A place where the beam can bend and whose moment is a variable: a node inside, on both of its sides, or one side of a built-in
-/// support. The moments of other ends are zero.
+/// A position where the beam can bend and whose moment is a variable: a node inside the beam with both of its sides, or one side of a
+/// built-in support. The moments of other ends are zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Hinge {
     node: usize,
-    /// Whether it bends towards the interval to its left, and to its right.
+    /// Whether the position includes the interval to its left and the one to its right.
     sides: [bool; 2],
 }
 
 impl Hinge {
-    /// Those of a beam, from left to right; not a hinge of the beam, which has no moment.
+    /// All such positions of a beam, from left to right. Hinges of the beam itself are left out, because their moment is zero.
     fn all(discrete: &Discrete) -> Vec<Self> {
         let mut hinges = Vec::with_capacity(discrete.intervals);
         for node in (0..=discrete.intervals).filter(|node| !discrete.divisions().is_hinge(*node)) {
@@ -74,24 +75,26 @@ impl Hinge {
         hinges
     }
 
-    /// How many sides it has.
+    /// Number of sides.
     fn count(&self) -> f64 {
         f64::from(u8::from(self.sides[0]) + u8::from(self.sides[1]))
     }
 
-    /// The three nodes whose deflections bend it; on a side that it does not have its own.
+    /// The three nodes whose deflections bend it. For a missing side its own node is given twice.
     fn three(&self) -> [usize; 3] {
         [self.node - usize::from(self.sides[0]), self.node, self.node + usize::from(self.sides[1])]
     }
 
-    /// Whether it bends the interval between it and the next one.
+    /// Whether both this and the next one bend the interval between them.
     fn meets(&self, next: &Self) -> bool {
         self.node + 1 == next.node && self.sides[1] && next.sides[0]
     }
 }
 
-/// What the variables without a sign of a sparse form are, in their order, each with the unit in which it counts: moments, positive where
-/// the underside is in tension, and of clearances on ground that gives what the springs are pressed by.
+/// The variables of a sparse form without a sign constraint, in their order, each with its name and its unit. Moments come first,
+/// positive with the underside in tension. In clearances they are followed by the compression of the springs of an elastic foundation
+/// and of elastic supports, and by the clearances of open nodes. In contact forces they are followed by the forces of elastic
+/// supports and of the string.
 #[must_use]
 pub fn unsigned(discrete: &Discrete, method: Method) -> Vec<(String, f64)> {
     let Units { depth, force, moment } = Units::of(discrete, method);
@@ -130,7 +133,7 @@ pub fn unsigned(discrete: &Discrete, method: Method) -> Vec<(String, f64)> {
     all.into_iter().chain(strings.iter().enumerate().map(along)).chain(open.map(clear)).collect()
 }
 
-/// The units of the variables, as found above.
+/// The units of the variables, as given above.
 struct Units {
     depth: f64,
     force: f64,
@@ -156,18 +159,18 @@ fn fineness(discrete: &Discrete) -> f64 {
     (discrete.unknowns() as f64).sqrt()
 }
 
-/// What a spring that gives so much is pressed by in its own unit, in which its energy is `½ s²`, over the unit of clearances.
+/// The unit of the compression of a spring with the given flexibility, in which its energy is `½ s²`, relative to the unit of clearances.
 fn spring_unit(give: f64, depth: f64, force: f64) -> f64 {
     (give * force / depth).sqrt()
 }
 
-/// The unit of the force of a spring over that of forces: of a soft one less, in which its energy is `½ s²`.
+/// The unit of the force of a spring relative to the unit of forces. For a soft spring it is smaller, so that the energy is `½ s²`.
 fn spring_force(spring: &NodeSpring, depth: f64, force: f64) -> f64 {
     (1.0 / spring_unit(1.0 / spring.stiffness, depth, force)).min(1.0)
 }
 
-/// Supports that give, those that only push behind the others: the node, and what stands before what it is pressed by, and before the
-/// clearance of its node, in its equation, of which `right` gets the right-hand side.
+/// The equations of elastic supports, compression-only ones last: for each its node, and the coefficients of its compression and of
+/// the clearance of its node. The right-hand sides are appended to `right`.
 fn sprung(discrete: &Discrete, [depth, force]: [f64; 2], right: &mut Vec<f64>) -> Vec<(usize, [f64; 2])> {
     let supports = discrete.supports();
     let equation = |spring: &NodeSpring| {
@@ -179,7 +182,7 @@ fn sprung(discrete: &Discrete, [depth, force]: [f64; 2], right: &mut Vec<f64>) -
     supports.springs().iter().chain(supports.stops()).map(equation).collect()
 }
 
-/// How the clearance of a node bends the hinges from the first one on that it can bend.
+/// The bend of each hinge by a unit clearance of a node, with `first` the first hinge that the node can bend.
 fn bends(hinges: &[Hinge], first: usize, node: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
     let near = hinges[first..].iter().take_while(move |hinge| hinge.node <= node + 1).enumerate();
     let share = move |hinge: &Hinge| match hinge.three() {
@@ -190,14 +193,14 @@ fn bends(hinges: &[Hinge], first: usize, node: usize) -> impl Iterator<Item = (u
     near.map(move |(k, hinge)| (first + k, share(hinge))).filter(|(_, share)| *share != 0.0)
 }
 
-/// Methods 1 and 2: moments, then what springs are pressed by, then clearances. `sizes` are those of clearance and gradient in the
-/// quadratic program.
+/// Methods 1 and 2: moments, then compressions of springs and elastic supports, then clearances. `sizes` are those of clearance and
+/// gradient in the quadratic program.
 pub(super) fn potential(discrete: &Discrete, discretisation: Discretisation, sizes: Sizes) -> SparseForm {
     let hinges = Hinge::all(discrete);
     let fine = fineness(discrete);
     let Sizes { x: depth, gradient: force } = discrete.sizes();
     let (depth, force) = (depth / fine, force * fine);
-    // (Δ/EI) M₀ over X/Δ; the same for these units as for X and G, but for the factor √n.
+    // (Δ/EI) M₀ over X/Δ. It is the same for these units as for X and G, except for the factor √n.
     let coupling = stiffness_number(discrete).sqrt() * fine;
     let curved = |j: usize| curvature(discrete, &hinges, j, discretisation, coupling);
     let mut equations: Vec<_> = (0..hinges.len()).map(curved).collect();
@@ -221,7 +224,7 @@ pub(super) fn potential(discrete: &Discrete, discretisation: Discretisation, siz
     let load = |node: usize| discrete.loads[node] + pulled_down(discrete, node);
     let mut quadratic = quadratic(discrete, &hinges, discretisation, 1.0);
     if discrete.gives() {
-        // The clearance of the beam is that of the foot of a spring less what that is pressed by, in units of its own.
+        // The clearance of the beam is the clearance of the foot of a spring less its compression, which has its own unit.
         for (node, foot) in &columns {
             let unit = spring_unit(discrete.give(*node), depth, force);
             equations.push(foot.iter().map(|(row, share)| (*row, -unit * share)).collect());
@@ -235,7 +238,7 @@ pub(super) fn potential(discrete: &Discrete, discretisation: Discretisation, siz
         linear.push(0.0);
         quadratic.push(Some(1.0));
     }
-    // Where there is nothing to touch a clearance has no sign.
+    // A clearance at a node with nothing to touch has no sign constraint.
     let signed = linear.len() + open.len();
     for (node, clearance) in open.into_iter().chain(columns) {
         equations.push(clearance);
@@ -253,9 +256,9 @@ pub(super) fn potential(discrete: &Discrete, discretisation: Discretisation, siz
     SparseForm { quadratic, linear, equations, right, signed, sizes }
 }
 
-/// Method 3: moments, then contact forces. Levels and slopes of supports do work with the forces and couples that moments put on
-/// them. There is no equation for a node with a support that holds it, whose force is what is missing to equilibrium; a node with
-/// nothing to touch has one, and no force.
+/// Method 3: moments, then forces of elastic supports and of the string, then contact forces. Levels and slopes of supports do work
+/// with the reactions that moments cause there. A node with a rigid support has no equation, because its reaction balances it. A node
+/// with nothing to touch has an equation, and no force.
 pub(super) fn complementary(discrete: &Discrete, discretisation: Discretisation, sizes: Sizes) -> SparseForm {
     let hinges = Hinge::all(discrete);
     let Sizes { x: depth, gradient: force } = discrete.sizes();
@@ -266,7 +269,7 @@ pub(super) fn complementary(discrete: &Discrete, discretisation: Discretisation,
     for hinge in &hinges {
         let [left, node, right] = hinge.three();
         let bends = [(left, 1.0), (node, -hinge.count()), (right, 1.0)];
-        // On a side that it does not have, the hinge is not bent.
+        // A missing side does not bend the hinge.
         let bends = bends.into_iter().enumerate().filter(|(k, (at, _))| *k == 1 || *at != node).map(|(_, bend)| bend);
         equations.push(bends.clone().filter_map(|(node, share)| rows[node].map(|row| (row, share))).collect());
         let held = bends
@@ -275,7 +278,7 @@ pub(super) fn complementary(discrete: &Discrete, discretisation: Discretisation,
         let turned = if hinge.sides[0] { slope } else { -slope };
         linear.push((held.sum::<f64>() + turned * discrete.spacing) / depth);
     }
-    // Forces of supports that give, with what they do at their own levels.
+    // Forces of elastic supports, with their work at their own levels.
     let springs = discrete.supports().springs();
     let unit = |spring: &NodeSpring| spring_force(spring, depth, force);
     let acts = |spring: &NodeSpring| rows[spring.node].map(|row| vec![(row, -unit(spring))]);
@@ -302,15 +305,16 @@ pub(super) fn complementary(discrete: &Discrete, discretisation: Discretisation,
     SparseForm { quadratic, linear, equations, right, signed, sizes }
 }
 
-/// `G Δ³/(EI X)`: how far a force `G` bends one interval, measured by `X`.
+/// `G Δ³/(EI X)`: the deflection of one interval under a force `G`, relative to `X`.
 fn stiffness_number(discrete: &Discrete) -> f64 {
     let Discrete { spacing, stiffness, .. } = discrete;
     let Sizes { x: depth, gradient: force } = discrete.sizes();
     force / depth * spacing * spacing * (spacing / stiffness)
 }
 
-/// The curvature `c` in column `j` of a symmetric tridiagonal matrix, times a factor: a share of the moment of the hinge itself for
-/// each side that it has, as soft as the beam is there, of what a joint turns, and of that of each neighbour.
+/// Column `j` of the symmetric tridiagonal matrix of the curvature `c`, times a factor. The moment of the hinge itself has a share
+/// for each of its sides, by the softness of the beam there, and for the rotation of a joint. The moment of each neighbour has one
+/// share.
 fn curvature(
     discrete: &Discrete,
     hinges: &[Hinge],
@@ -328,7 +332,7 @@ fn curvature(
         false => 0.0,
         true => divisions.softness((hinge.node + right).saturating_sub(1)),
     });
-    // A spring against turning has the jump from one side of its node to the other.
+    // A rotational spring carries the jump of the moment at its node.
     let turned =
         discrete.supports().turning(hinge.node).map_or(0.0, |[k, _]| discrete.stiffness / k / discrete.spacing);
     // Under an axial force.
@@ -351,7 +355,7 @@ fn curvature(
     entries.filter(|(_, share)| *share != 0.0).map(|(i, share)| (i, factor * share)).collect()
 }
 
-/// The curvature of the moments in `P`, times a factor; nothing of what follows them.
+/// The curvature of the moments as `P`, times a factor, without the variables that follow the moments.
 fn quadratic(discrete: &Discrete, hinges: &[Hinge], discretisation: Discretisation, factor: f64) -> UpperColumns {
     let mut columns = UpperColumns::default();
     for j in 0..hinges.len() {

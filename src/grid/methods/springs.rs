@@ -1,8 +1,8 @@
-//! A beam on springs: ground that gives, `p = k Δ (v − g)` at a node in contact, half of it at an end of the beam. And a beam that changes
-//! at some nodes, which has no spring there.
+//! A beam on springs: on an elastic foundation, with `p = k Δ (v − g)` at a node in contact and half of it at an end of the beam.
+//! Also a beam that changes at some nodes, which have no spring.
 //!
-//! With the clearance `h = g − v`, negative where a spring is pressed, in units of force, `s = h EI/Δ³`, and moments in `force · Δ`, the
-//! three-moment equations of `contact_set.rs` and equilibrium are
+//! The clearance `h = g − v` is negative where a spring is compressed. With `s = h EI/Δ³`, in units of force, and moments in
+//! `force · Δ`, the three-moment equations of `contact_set.rs` and equilibrium are
 //!
 //! ```text
 //! (s_{i+1} − s_i)/b − (s_i − s_{i−1})/a − c(M)_i = (ϑ_right + ϑ_left)/6 + (EI/Δ²) bend_i
@@ -10,11 +10,11 @@
 //! 6 c(M)_i = a M_{i−1} + 2 (a + b) M_i + b M_{i+1}
 //! ```
 //!
-//! `a`, `b` and `ϑ` times `e = EI₀/EI` where the beam is stiffer than elsewhere, and with a joint `c(M)_i + κ_j M_i`, `κ_j = EI₀/k_jΔ`.
-//! Where nothing holds the beam, `s` counts from the line through the places on both sides that do. That is
-//! a chain of [blocks] of two: no digit is lost by elimination, however soft or stiff the springs and however fine the grid.
-//! Eliminating `s` would give five-moment equations, whose condition number grows like `1/κ`. At a support, one that only pushes among them, `κ = ∞`; at the outermost
-//! nodes the moment is known.
+//! Where the beam is stiffer than its softest interval, `a`, `b` and `ϑ` are multiplied by `e = EI₀/EI`. A joint changes `c(M)_i` to
+//! `c(M)_i + κ_j M_i`, `κ_j = EI₀/k_jΔ`. Where nothing holds the beam, `s` counts from the line through the nearest holding nodes on
+//! both sides. The equations are a chain of 2 × 2 [blocks]. Elimination loses no digits, however soft or stiff the springs and
+//! however fine the grid. Eliminating `s` would give five-moment equations, whose condition number grows like `1/κ`. At a support,
+//! compression-only ones included, `κ = ∞`; at the outermost nodes the moment is known.
 
 use super::Discrete;
 use super::contact_set::ContactSet;
@@ -26,12 +26,12 @@ use crate::qp::NotPositiveDefinite;
 use crate::qp::blocks::{self, Block, PENALTY};
 use crate::state::Discretisation;
 
-/// A node: its block, `κ`, and the right-hand sides.
+/// A node: its block, `κ`, and its right-hand sides.
 #[derive(Default)]
 pub(super) struct Row {
     pub(super) block: Block,
     pub(super) spring: f64,
-    /// Under an axial force `1 − ν ω` of the link behind it.
+    /// Under an axial force, `1 − ν ω` of the link to its right.
     pub(super) fall: f64,
     pub(super) right: [f64; 2],
 }
@@ -43,8 +43,8 @@ impl AsMut<Block> for Row {
 }
 
 impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
-    /// Contact forces on ground so soft that the rounding of the jump of the shear force would change how far it sinks: computed from
-    /// that instead.
+    /// Contact forces on a very soft foundation, where rounding of the jump of the shear force would change the settlement. They are
+    /// computed from the settlement instead.
     pub(super) fn pressed(&self, mut visit: impl FnMut(usize, f64)) {
         if self.sunk.is_empty() {
             return;
@@ -66,8 +66,8 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
     }
 }
 
-/// Moments at the nodes of a [list](ContactSet) \[force · Δ\], and how far the ground sinks there; where nothing holds the beam its
-/// deflection. `outermost` are moments and forces that overhangs leave at its ends.
+/// Moments at the nodes of a [list](ContactSet) \[force · Δ\], and the settlement of the foundation there, or the deflection where
+/// nothing holds the beam. `outermost` are the moments and forces of overhangs at the two ends.
 pub(super) fn solve(
     discrete: &Discrete,
     discretisation: Discretisation,
@@ -85,13 +85,13 @@ pub(super) fn solve(
         let [a, b] = [left, right].map(|span| span.soft * span.steps);
         let [at_left, at_right] = [left, right].map(|span| span.soft * links(discretisation, span.steps));
         let is_free = list.is_free(node);
-        // Of the two sides of a place that a spring holds against turning the left one is a row of that spring.
+        // A node with a rotational spring is in the list twice. Its left row belongs to that spring.
         let turning = discrete.supports().turning(node).filter(|_| nodes.get(i + 1) == Some(&node));
         let load = if turning.is_some() { 0.0 } else { discrete.loads[node] } + (left.shares[1] + right.shares[0]);
         let [w, bent, hangs] = if 0 < i && i < end {
             let w = (2.0 * (a + b) + (at_left + at_right)) / 6.0;
             let turned = (left.rotations[1] + right.rotations[0]) / 6.0;
-            // Of the line through the places that hold the beam, from which the others count.
+            // The bend of the line through the nodes that hold the beam, from which the deflection of the others counts.
             let bend = if is_free { 0.0 } else { list.bend(discrete, [before, node, next_held(list, i)]) };
             let joint = discrete.divisions().joint(node);
             if SOFT < joint {
@@ -118,19 +118,19 @@ pub(super) fn solve(
     let sunk = |row: &Row| if row.spring < PENALTY { -row.block.step[0] * unit } else { 0.0 };
     let mut sunk: Vec<f64> = rows.iter().map(sunk).collect();
     above_chords(discrete, list, &mut sunk);
-    // No zero has a sign.
+    // Adding zero removes the sign of a negative zero.
     let moment = |(row, node): (&Row, &usize)| {
         if discrete.divisions().is_hinge(*node) { 0.0 } else { row.block.step[1] + 0.0 }
     };
     Ok([rows.iter().zip(nodes).map(moment).collect(), sunk])
 }
 
-/// `κ` of what holds a node of a list, and its force at the level from which the deflection there counts.
+/// `κ` of whatever holds a node of a list, and its force at the level from which the deflection there counts.
 pub(super) fn held(discrete: &Discrete, list: &ContactSet, node: usize, unit: f64) -> [f64; 2] {
     if list.is_free(node) {
         return [0.0; 2];
     }
-    // A support that gives: its force counts from its own level.
+    // The force of an elastic support counts from its own level.
     let [own, preload] = list.spring(node).map_or([0.0; 2], |spring| {
         [unit * spring.stiffness, spring.stiffness * (list.level(discrete, node) - spring.deflection)]
     });
@@ -147,7 +147,7 @@ fn next_held(list: &ContactSet, i: usize) -> usize {
     behind.next().unwrap_or(list.nodes()[i])
 }
 
-/// Adds to the sag of each node that nothing holds the level of the line through the nodes on both sides that do.
+/// Adds to the sag of each node that nothing holds the level of the line through the nearest holding nodes on both sides.
 fn above_chords(discrete: &Discrete, list: &ContactSet, sunk: &mut [f64]) {
     let nodes = list.nodes();
     let mut held = nodes[0];

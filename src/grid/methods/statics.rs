@@ -1,10 +1,9 @@
-//! Statics of a simple beam under nodal forces: the "basic structure" to which the force method goes back.
+//! Statics of a simple beam under nodal forces, the basic structure of the force method.
 
-/// Intervals of a block of [`funicular`]: sums of so many numbers lose next to nothing, and a block stays in the nearest
-/// cache.
+/// Intervals in a block of [`funicular`]. Sums of this many numbers lose almost nothing, and a block stays in the fastest cache.
 const BLOCK: usize = 64;
 
-/// Places of the nodes in a block, as numbers.
+/// Positions of the nodes in a block, as floating-point numbers.
 static PLACES: [f64; BLOCK] = {
     let mut places = [1.0; BLOCK];
     let mut k = 1;
@@ -15,12 +14,12 @@ static PLACES: [f64; BLOCK] = {
     places
 };
 
-/// Solves `−(y_{i−1} − 2 y_i + y_{i+1}) = f_i`, `i = 1 … n`, for given `y_0` and `y_{n+1}`: the polygon of a string under
-/// forces. What is written to `y`, length n as `f`, are `y_i` times `unit`; the two ends are not.
+/// Solves `−(y_{i−1} − 2 y_i + y_{i+1}) = f_i`, `i = 1 … n`, for given `y_0` and `y_{n+1}`: the polygon of a string under forces.
+/// Writes `y_i` times `unit` to `y`, which has length n like `f`, without the two ends.
 ///
-/// Summing forces to slopes and slopes to heights from one end to the other would round n times, and double summation turns
-/// that into `n ε` of the largest height. So forces go to the ends of blocks by the law of the lever; the block ends are a
-/// polygon with fewer nodes, found the same way; and within a block everything is small against its ends. Rounding is then
+/// Summing forces to slopes and slopes to heights from one end to the other would round n times, which double summation turns into
+/// `n ε` of the largest height. Here forces go to the ends of blocks by the lever rule. The block ends form a polygon with fewer
+/// nodes, which is solved in the same way. Within a block all heights are small compared with those of its ends. The rounding is then
 /// that of some hundred operations for any n, and near an end it is relative to the distance from that end.
 #[inline]
 #[expect(clippy::cast_precision_loss, reason = "a short polygon")]
@@ -32,7 +31,7 @@ pub(super) fn funicular(f: &[f64], ends: [f64; 2], unit: f64, y: &mut [f64]) {
     polygon(f, 1.0, ends, unit, y);
 }
 
-/// The same with a last interval of length `tail`, `0 < tail ≤ 1`; all others have length 1.
+/// The same with a last interval of length `tail`, `0 < tail ≤ 1`. All others have length 1.
 #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
 fn polygon(f: &[f64], tail: f64, ends: [f64; 2], unit: f64, y: &mut [f64]) {
     let n = f.len();
@@ -40,7 +39,7 @@ fn polygon(f: &[f64], tail: f64, ends: [f64; 2], unit: f64, y: &mut [f64]) {
         let length = n as f64 + tail;
         return string(f, length, lever(f, length)[0], ends, unit, y);
     }
-    // Node b of the polygon of block ends is node b · BLOCK of this one, whose height is the last one of block b − 1.
+    // Node b of the polygon of block ends is node b · BLOCK of this one. Its height is the last one of block b − 1.
     let size = BLOCK as f64;
     let blocks = (n + 1).div_ceil(BLOCK);
     let last = (n - (blocks - 1) * BLOCK) as f64 + tail;
@@ -72,12 +71,12 @@ fn polygon(f: &[f64], tail: f64, ends: [f64; 2], unit: f64, y: &mut [f64]) {
     }
 }
 
-/// A short polygon of the given length that begins with the given slope above its chord: forces to slopes, slopes to heights.
+/// A short polygon of the given length, which starts with the given slope above its chord: forces to slopes, slopes to heights.
 #[inline]
 fn string(f: &[f64], length: f64, mut slope: f64, ends: [f64; 2], unit: f64, y: &mut [f64]) {
-    // A whole block has a power of two for its length, and loses nothing by a product instead of a quotient.
+    // The length of a whole block is a power of two, so that multiplying by its reciprocal is as exact as dividing.
     let share = 1.0 / length;
-    // A loop of its own for what depends on the node before; the next one, in which no node depends on another, vectorises.
+    // A separate loop for what depends on the node before. In the next loop no node depends on another, so that it vectorises.
     let mut height = 0.0;
     for (f, y) in f.iter().zip(y.iter_mut()) {
         height += slope;
@@ -89,10 +88,10 @@ fn string(f: &[f64], length: f64, mut slope: f64, ends: [f64; 2], unit: f64, y: 
     }
 }
 
-/// Shares of forces at 1, 2, 3 … that go to the ends of a simple beam of the given length, in lanes that do not depend on each other.
+/// The shares of forces at 1, 2, 3 … at the ends of a simple beam of the given length, summed in independent lanes.
 #[inline]
 fn lever(f: &[f64], length: f64) -> [f64; 2] {
-    /// As many numbers of 64 bits as common processors add at once.
+    /// The number of 64-bit numbers that common processors add at once.
     const LANES: usize = 4;
     let (mut left, mut right) = ([0.0; LANES], [0.0; LANES]);
     let (fours, rest) = f.as_chunks::<LANES>();
@@ -111,8 +110,8 @@ fn lever(f: &[f64], length: f64) -> [f64; 2] {
     [left, right].map(|lanes| lanes.iter().sum::<f64>() / length)
 }
 
-/// In place of moments what they contribute to curvature: of each with its two neighbours, the first and the last of them at
-/// the `ends`.
+/// Replaces moments by their contribution to curvature: `share` of each with its two neighbours. `ends` are the neighbours of the
+/// first and the last moment.
 pub(super) fn curvatures(moments: &mut [f64], ends: [f64; 2], share: impl Fn([f64; 3]) -> f64) {
     let mut before = ends[0];
     let mut rest = moments.iter_mut().peekable();
@@ -127,7 +126,8 @@ pub(super) fn curvatures(moments: &mut [f64], ends: [f64; 2], share: impl Fn([f6
 mod tests {
     use super::*;
 
-    /// Uniform forces hang as a parabola `y_i = i (N − i) / 2`, whatever the number of blocks and the length of the last one.
+    /// Under uniform forces the string is a parabola, `y_i = i (N − i) / 2`, whatever the number of blocks and the length of the last
+    /// one.
     #[test]
     fn uniform_forces_hang_as_a_parabola() {
         for n in [1, 2, 62, 63, 64, 65, 127, 128, 4095, 4096, 5000, 300_000_u32] {

@@ -1,4 +1,4 @@
-//! The supports of a beam on a grid: which nodes they hold, at which deflection and slope.
+//! The supports of a beam on a grid: the nodes that they hold, and the deflection and slope there.
 
 use std::ops::{Range, RangeInclusive};
 
@@ -9,35 +9,36 @@ use crate::scene::{Grid, Held, Quantity, Scene, SceneError, Spring, Support};
 pub(crate) struct NodeSupport {
     /// Its node.
     pub(crate) node: usize,
-    /// What it prescribes.
+    /// The deflection and slope that it prescribes.
     pub(crate) held: Held,
-    /// How far the ground lies below the beam there, `g − d_s`; infinite where there is none.
+    /// Distance from the beam down to the foundation there, `g − d_s`; infinite without a foundation.
     pub(crate) below: f64,
 }
 
-/// A support that only pushes, at a node: a place of the ground.
+/// A rigid compression-only support at a node. It counts as a point of the foundation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct NodeBearing {
     /// Its node.
     pub(crate) node: usize,
-    /// Where it stands.
+    /// Its position.
     pub(crate) at: f64,
-    /// How far the ground lies below it; infinite where there is none, and negative where it stands in the ground.
+    /// Distance from the support down to the foundation; infinite without a foundation, negative if the foundation is higher than the
+    /// support.
     below: f64,
 }
 
-/// A support that gives, at a node: `R = k_s (v − d_s)`.
+/// An elastic support at a node: `R = k_s (v − d_s)`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct NodeSpring {
     /// Its node.
     pub(crate) node: usize,
-    /// Where it stands.
+    /// Its position.
     pub(super) at: f64,
     /// `k_s`.
     pub(super) stiffness: f64,
     /// `d_s`.
     pub(super) deflection: f64,
-    /// `k_t` and `φ_s` of a spring against turning besides.
+    /// `k_t` and `φ_s` of an additional rotational spring.
     pub(super) turning: Option<[f64; 2]>,
 }
 
@@ -45,24 +46,24 @@ pub(crate) struct NodeSpring {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Supports {
     all: Vec<NodeSupport>,
-    /// Those between the two end nodes.
+    /// The supports strictly inside the beam.
     inner: Range<usize>,
-    /// Those that only push, which hold no node.
+    /// Rigid compression-only supports, which hold no node.
     bearings: Vec<NodeBearing>,
-    /// Those that give and hold the beam both ways, and those that give and only push.
+    /// Elastic supports that hold the beam both ways, and elastic compression-only supports.
     springs: Vec<NodeSpring>,
     stops: Vec<NodeSpring>,
-    /// Whether tension holds the beam against turning.
+    /// Whether tension prevents rotation of the beam.
     taut: bool,
     intervals: usize,
 }
 
 impl Supports {
-    /// Those of a scene.
+    /// The supports of a scene.
     ///
     /// # Errors
     ///
-    /// [`SceneError::BetweenNodes`] if no node lies on one of them, or two share a node.
+    /// [`SceneError::BetweenNodes`] if a support is not at a node, or if two supports share a node.
     pub(super) fn on(grid: &Grid, scene: &Scene) -> Result<Self, SceneError> {
         let mut before = None;
         for support in scene.beam().all_supports() {
@@ -94,24 +95,24 @@ impl Supports {
         Ok(Self { bearings, springs, stops, taut, ..Self::of(held, grid.intervals()) })
     }
 
-    /// Given ones, ascending.
+    /// The given supports, ascending, and no others.
     pub(super) fn of(all: Vec<NodeSupport>, intervals: usize) -> Self {
         let inner = all.partition_point(|s| s.node == 0)..all.partition_point(|s| s.node < intervals);
         Self { all, inner, bearings: Vec::new(), springs: Vec::new(), stops: Vec::new(), taut: false, intervals }
     }
 
-    /// The same with others that hold the beam and do not give.
+    /// The same with other rigid supports that hold the beam.
     fn with(&self, all: Vec<NodeSupport>) -> Self {
         let Self { bearings, springs, stops, taut, .. } = self.clone();
         Self { bearings, springs, stops, taut, ..Self::of(all, self.intervals) }
     }
 
-    /// The same with others that hold the beam.
+    /// The same with other supports that hold the beam, all of them rigid.
     pub(super) fn holding(&self, all: Vec<NodeSupport>) -> Self {
         Self { springs: Vec::new(), ..self.with(all) }
     }
 
-    /// The same of a beam that tension does not hold.
+    /// The same for a beam that tension does not hold.
     pub(super) fn slack(&self) -> Self {
         Self { taut: false, ..self.clone() }
     }
@@ -131,78 +132,78 @@ impl Supports {
         zero
     }
 
-    /// The same with the stops raised by so much.
+    /// The same with the stops raised by the given amounts.
     pub(super) fn raised(&self, by: &[f64]) -> Self {
         let mut raised = self.clone();
         raised.stops.iter_mut().zip(by).for_each(|(stop, by)| stop.deflection -= by);
         raised
     }
 
-    /// Those that give and hold the beam both ways, from left to right.
+    /// Elastic supports that hold the beam both ways, from left to right.
     pub(crate) fn springs(&self) -> &[NodeSpring] {
         &self.springs
     }
 
-    /// Those that give and only push, from left to right.
+    /// Elastic compression-only supports, from left to right.
     pub(crate) fn stops(&self) -> &[NodeSpring] {
         &self.stops
     }
 
-    /// Whether any gives: a beam on it is no chain of spans with given ends.
+    /// Whether any support is elastic. The beam is then no chain of spans with known levels and slopes at their ends.
     pub(super) fn give(&self) -> bool {
         !(self.springs.is_empty() && self.stops.is_empty() && self.all.iter().all(|s| s.held.turning.is_none()))
     }
 
-    /// `k_t` and `φ_s` of a spring against turning at a node.
+    /// `k_t` and `φ_s` of the rotational spring at a node.
     pub(super) fn turning(&self, node: usize) -> Option<[f64; 2]> {
         let spring = || self.springs.binary_search_by_key(&node, |spring| spring.node).ok();
         self.at(node).map_or_else(|| self.springs[spring()?].turning, |support| support.held.turning)
     }
 
-    /// The slope that a support at a node holds, stiffly or by a spring.
+    /// The slope that a support prescribes at a node, rigidly or by a rotational spring.
     pub(super) fn slope(&self, node: usize) -> Option<f64> {
         let held = self.at(node).and_then(|support| support.held.slope);
         held.or_else(|| self.turning(node).map(|[_, slope]| slope))
     }
 
-    /// Those that only push, from left to right.
+    /// Rigid compression-only supports, from left to right.
     pub(crate) fn bearings(&self) -> &[NodeBearing] {
         &self.bearings
     }
 
-    /// The one that only pushes at a node.
+    /// The rigid compression-only support at a node.
     pub(super) fn pushing(&self, node: usize) -> Option<&NodeBearing> {
         self.bearings.binary_search_by_key(&node, |bearing| bearing.node).ok().map(|i| &self.bearings[i])
     }
 
-    /// Whether one that only pushes stands at a node in the ground.
+    /// Whether a rigid compression-only support at a node lies below the foundation surface.
     pub(super) fn is_sunk(&self, node: usize) -> bool {
         self.pushing(node).is_some_and(|bearing| bearing.below < 0.0)
     }
 
-    /// How far the ground lies below the beam where it is on the support at a node.
+    /// Distance from the beam down to the foundation if the beam rests on the support at a node.
     pub(super) fn below(&self, node: usize) -> Option<f64> {
         self.at(node).map(|support| support.below).or_else(|| Some(self.pushing(node)?.below))
     }
 
-    /// All of them.
+    /// All supports that hold the beam rigidly.
     pub(crate) fn all(&self) -> &[NodeSupport] {
         &self.all
     }
 
-    /// Those between the two end nodes.
+    /// The supports strictly inside the beam.
     pub(crate) fn inner(&self) -> &[NodeSupport] {
         &self.all[self.inner.clone()]
     }
 
-    /// Those at the nodes of a range.
+    /// The supports at the nodes of a range.
     pub(crate) fn within(&self, nodes: &RangeInclusive<usize>) -> &[NodeSupport] {
         let from = self.all.partition_point(|s| s.node < *nodes.start());
         let to = self.all.partition_point(|s| s.node <= *nodes.end());
         &self.all[from..to.max(from)]
     }
 
-    /// The one at a node. Most nodes have none, and most beams none inside.
+    /// The support at a node. Most nodes have none, and most beams have none inside.
     #[inline]
     pub(crate) fn at(&self, node: usize) -> Option<&NodeSupport> {
         if node == 0 {
@@ -216,7 +217,7 @@ impl Supports {
         }
     }
 
-    /// Whether a range of nodes, the last one included, certainly has none; a quick test, as most beams have none inside.
+    /// Whether a range of nodes, including the last one, certainly has no support. A quick test, because most beams have none inside.
     #[inline]
     pub(crate) fn are_outside(&self, first: usize, last: usize) -> bool {
         self.inner.is_empty()
@@ -227,24 +228,24 @@ impl Supports {
             && last < self.nodes().end
     }
 
-    /// The first node that is no supported end.
+    /// The first node that is not a supported end.
     #[inline]
     pub(crate) fn first(&self) -> usize {
         usize::from(self.inner.start != 0)
     }
 
-    /// The nodes but those ends of the beam that are held.
+    /// All nodes except the ends of the beam that are held.
     pub(crate) fn nodes(&self) -> Range<usize> {
         self.first()..self.intervals + usize::from(self.inner.end == self.all.len())
     }
 
-    /// How many more places have to carry the beam before it is held: none, one, or two.
+    /// How many more nodes must carry the beam before it is held: none, one or two.
     pub(crate) fn lacking(&self) -> usize {
         let needed: usize = if self.taut { 1 } else { 2 };
         needed.saturating_sub(self.holds().iter().map(|(_, holds)| holds).sum())
     }
 
-    /// The nodes that they hold, ascending, with the number of motions that each prevents.
+    /// The nodes that the supports hold, ascending, each with the number of motions that it prevents.
     pub(super) fn holds(&self) -> Vec<(usize, usize)> {
         let held =
             self.all.iter().map(|support| (support.node, support.held.slope.or(support.held.turning.map(|t| t[1]))));
@@ -255,8 +256,8 @@ impl Supports {
         all
     }
 
-    /// The same with simple supports at level zero at such ends of the beam that it is held: a basic structure for forces that
-    /// are in balance without these.
+    /// The same with additional simple supports at level zero at one or both ends, so that the beam is held. This is a basic
+    /// structure for forces that are in balance without them.
     pub(super) fn completed(&self) -> Self {
         match (self.lacking(), self.holds().first().map(|held| held.0)) {
             (0, _) => self.clone(),
@@ -266,7 +267,7 @@ impl Supports {
         }
     }
 
-    /// The same with simple supports at level zero at some other nodes.
+    /// The same with additional simple supports at level zero at the given nodes.
     pub(super) fn and_at(&self, nodes: &[usize]) -> Self {
         let ghost = |node: &usize| NodeSupport {
             node: *node,

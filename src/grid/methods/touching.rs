@@ -1,8 +1,9 @@
-//! Where a beam may touch, and the unknowns that belong to these places.
+//! The places at which a beam may be in contact, and the unknowns that belong to them.
 //!
-//! A *place* is a node, or behind the last node of the grid a stop, a support that gives and only pushes: below it there may be ground as
-//! well, which is another place at the same node. Values at *slots* are those at all nodes but supported ends, and behind them those of
-//! the stops; values of unknowns are those without the nodes where there is nothing to touch, or a support that holds the beam.
+//! A *place* is the number of a node or, beyond the last node of the grid, of a stop. A stop is an elastic compression-only support.
+//! If there is a foundation below a stop, it is another place at the same node. Values at *slots* are values at all nodes except
+//! supported ends, followed by those of the stops. Values of unknowns leave out the nodes with nothing to touch and those that a
+//! support holds.
 
 use std::sync::Arc;
 
@@ -10,15 +11,16 @@ use super::discrete::Discrete;
 use super::supports::Supports;
 use crate::scene::{Grid, Scene};
 
-/// The nodes at which the beam may touch.
+/// The nodes at which the beam may be in contact.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Touching {
-    /// These, ascending, if they are not all without a support.
+    /// These nodes, ascending; [`None`] if they are all nodes without a support.
     nodes: Option<Arc<[usize]>>,
 }
 
 impl Touching {
-    /// Of a scene on a grid, with parts of ground that gives. Without ground the gap at a stop becomes its level.
+    /// The contact nodes of a scene on a grid, with the parts of an elastic foundation. Without a foundation the gap at a stop is set
+    /// to its level.
     pub(super) fn of(
         scene: &Scene,
         grid: &Grid,
@@ -47,12 +49,12 @@ impl Touching {
 }
 
 impl Discrete {
-    /// Whether there is nothing to touch at some nodes.
+    /// Whether there may be nodes with nothing to touch.
     pub(crate) fn has_open_nodes(&self) -> bool {
         self.touching.nodes.is_some()
     }
 
-    /// The nodes at which the beam may touch ground, or supports that only push and do not give, ascending.
+    /// The nodes at which the beam may touch the foundation or a rigid compression-only support, ascending.
     pub(super) fn touchable(&self) -> impl Iterator<Item = usize> + Clone + '_ {
         (0..self.touchable_count()).map(|unknown| self.place(unknown))
     }
@@ -62,30 +64,30 @@ impl Discrete {
         self.touching.nodes.as_ref().map_or_else(all, |nodes| nodes.len())
     }
 
-    /// The same and stops behind them.
+    /// The same as places, followed by the stops.
     pub(super) fn places(&self) -> impl Iterator<Item = usize> + Clone + '_ {
         (0..self.unknowns()).map(|unknown| self.place(unknown))
     }
 
-    /// The nodes without a support that holds the beam and does not give, ascending.
+    /// The nodes without a rigid support that holds the beam, ascending.
     pub(super) fn free_nodes(&self) -> impl Iterator<Item = usize> + '_ {
         self.nodes().filter(|node| self.supports().at(*node).is_none())
     }
 
-    /// True at a node with nothing to touch, and no support that does not give.
+    /// Whether a node has nothing to touch and no rigid support.
     pub(super) fn is_open_at(&self, node: usize) -> bool {
         let is_missing = |nodes: &Arc<[usize]>| nodes.binary_search(&node).is_err();
         self.touching.nodes.as_ref().is_some_and(is_missing) && self.supports().at(node).is_none()
     }
 
-    /// True at a node where no clearance has a meaning: there is nothing below it.
+    /// Whether a node has nothing below it, so that its clearance has no meaning.
     pub(super) fn is_bottomless(&self, node: usize) -> bool {
         let is_touched = |nodes: &Arc<[usize]>| nodes.binary_search(&node).is_ok();
         let open = self.touching.nodes.as_ref().is_some_and(|nodes| !is_touched(nodes));
         open && !(self.gives() && self.give(node).is_finite())
     }
 
-    /// Number of places at which the beam may touch, and no support holds it.
+    /// Number of places at which the beam may be in contact and no support holds it.
     #[must_use]
     pub fn unknowns(&self) -> usize {
         self.touchable_count() + self.supports().stops().len()
@@ -103,7 +105,7 @@ impl Discrete {
         self.supports().inner().iter().fold(first, |node, support| node + usize::from(support.node <= node))
     }
 
-    /// The number of a stop, if a place is one.
+    /// The number of the stop at a place, if the place is a stop.
     #[inline]
     pub(crate) fn stop(&self, place: usize) -> Option<usize> {
         place.checked_sub(self.intervals + 1)
@@ -114,24 +116,24 @@ impl Discrete {
         self.stop(place).map_or(place, |stop| self.supports().stops()[stop].node)
     }
 
-    /// How deep what the beam may touch at a place is.
+    /// The depth of whatever the beam may touch at a place.
     pub(super) fn depth_of(&self, place: usize) -> f64 {
         self.stop(place).map_or_else(|| self.gap(place), |stop| self.supports().stops()[stop].deflection)
     }
 
-    /// How far what is below a place gives under a unit force.
+    /// The settlement under a unit force of whatever is below a place.
     pub(super) fn give_of(&self, place: usize) -> f64 {
         self.stop(place).map_or_else(|| self.give(place), |stop| 1.0 / self.supports().stops()[stop].stiffness)
     }
 
-    /// What an unknown belongs to: its node, whether that is a stop, and how far it gives under a unit force.
+    /// The node of an unknown, whether it belongs to a stop, and its settlement under a unit force.
     #[must_use]
     pub fn unknown(&self, unknown: usize) -> (usize, bool, f64) {
         let place = self.place(unknown);
         (self.node_of(place), self.stop(place).is_some(), self.give_of(place))
     }
 
-    /// Values at slots as those of unknowns.
+    /// Converts values at slots to values of unknowns.
     pub(super) fn without_supports(&self, mut values: Vec<f64>) -> Vec<f64> {
         let first = self.nodes().start;
         if let Some(nodes) = &self.touching.nodes {
@@ -144,7 +146,7 @@ impl Discrete {
         values
     }
 
-    /// Values of unknowns as those at slots, zero at inner supports and where there is nothing to touch.
+    /// Converts values of unknowns to values at slots, zero at inner supports and where there is nothing to touch.
     pub(super) fn with_supports(&self, mut values: Vec<f64>) -> Vec<f64> {
         let first = self.nodes().start;
         if let Some(nodes) = &self.touching.nodes {

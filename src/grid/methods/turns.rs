@@ -1,25 +1,26 @@
-//! Soft joints: what a beam without them turns by in each, so that their moments are right.
+//! Soft joints: the rotation of each, added to a beam without soft joints, so that the moments in the joints are right.
 //!
 //! ```text
 //! M + G q = q/κ      M of the loads, G of a unit turn in each joint, q = κ M
 //! ```
 //!
-//! As parts of `c(M)`, next to each other, they would take as many digits from the elimination as they are soft: it loses none as long as
-//! whatever is on one side of a place holds it. Each costs one more solve.
+//! As terms of `c(M)`, soft joints next to each other would cost the elimination as many digits as they are soft. Elimination loses
+//! no digits only as long as each node is held from one side. Each soft joint costs one more solve.
 //!
-//! On contacts that let parts between hinges move, hinges are stiff by a very small amount. What moves then leaves the beam so far below
-//! the ground that a search finds contact there.
+//! If the contacts leave a part between hinges free to move, the hinges get a very small stiffness. The motion then takes the beam so
+//! far below the foundation that a search finds contact there.
 
 use super::divisions::LOOSE;
 use super::springs::Row;
 use crate::qp::{NotPositiveDefinite, blocks};
 
-/// Joints that are this many times as soft as an interval are taken so: three of sixteen digits are what the others may cost.
+/// Joints that are this many times as soft as an interval are treated in this way. The others may cost three of sixteen digits.
 pub(super) const SOFT: f64 = 1e3;
 
-/// Turns a beam without its soft joints in these, each a number of a row with its `1/κ`; its rows are factored towards one of them.
+/// Adds the rotations of soft joints to a beam that was solved without them. Each joint is a row number with its `1/κ`. The rows are
+/// factored towards the row `meeting`.
 pub(super) fn turn(rows: &mut [Row], soft: &[(usize, f64)], meeting: usize) -> Result<(), NotPositiveDefinite> {
-    /// The second time for what rounding left.
+    /// The second pass removes what rounding left.
     const TIMES: usize = 2;
     if soft.is_empty() {
         return Ok(());
@@ -57,17 +58,17 @@ pub(super) fn turn(rows: &mut [Row], soft: &[(usize, f64)], meeting: usize) -> R
     Ok(())
 }
 
-/// `L Lᵀ` of a small matrix, the lower triangle.
+/// The lower triangle of `L Lᵀ`, the factorisation of a small matrix.
 struct Factor(Vec<Vec<f64>>);
 
 impl Factor {
-    /// [`None`] if a pivot is not larger than `least`.
+    /// The factorisation, or [`None`] if a pivot is not larger than `least`.
     fn of(mut matrix: Vec<Vec<f64>>, least: f64) -> Option<Self> {
         for j in 0..matrix.len() {
             let (upper, below) = matrix.split_at_mut(j + 1);
             let own = &mut upper[j];
             let pivot = own[j] - own[..j].iter().map(|l| l * l).sum::<f64>();
-            // The comparison also refuses NaN.
+            // The comparison also rejects NaN.
             if !(least < pivot && pivot < f64::INFINITY) {
                 return None;
             }
@@ -98,7 +99,7 @@ impl Factor {
 mod tests {
     use super::Factor;
 
-    /// `L Lᵀ` of whole numbers, times (1, 2, 3), and a matrix that is not definite.
+    /// `L Lᵀ` of integers, times (1, 2, 3), and a matrix that is not definite.
     #[test]
     fn small_systems_are_solved_exactly() {
         let matrix = || vec![vec![4.0, 2.0, 0.0], vec![2.0, 5.0, 2.0], vec![0.0, 2.0, 5.0]];

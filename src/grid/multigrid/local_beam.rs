@@ -1,6 +1,6 @@
-//! Parts of a beam on its contacts. Of a moment at one contact at most half is carried over to the next (0.268 of it between equal
-//! spans), so that a change [`FAR`] contacts away is less than a unit in the last place here. A part of the beam is solved as a beam
-//! of its own, that begins and ends, free of moment, that many contacts outside.
+//! Solves parts of a beam on its contacts. At most half of the moment at one contact is carried over to the next (0.268 of it between
+//! equal spans). A change [`FAR`] contacts away is therefore less than a unit in the last place here. A part of the beam is solved as
+//! a separate beam that begins and ends that many contacts outside, with zero moments at its ends.
 
 use std::ops::Range;
 
@@ -13,7 +13,7 @@ use crate::state::Discretisation;
 /// `2^−FAR` is less than half a unit in the last place.
 const FAR: usize = 54;
 
-/// A beam, of which any part can be solved in a time that hardly depends on the rest.
+/// A beam of which any part can be solved in a time that hardly depends on the rest.
 pub(super) struct LocalBeam<'a> {
     discrete: &'a Discrete,
     discretisation: Discretisation,
@@ -37,13 +37,13 @@ impl<'a> LocalBeam<'a> {
         Ok(Stationary { x: contact_force, gradient: clearance })
     }
 
-    /// The nodes on which some variables depend: the contacts between them, [`FAR`] on both sides, and the supports between all of
-    /// these.
+    /// The nodes on which some variables depend: the contacts between them, [`FAR`] contacts on both sides, and the supports between
+    /// all of these.
     fn contacts(&self, free: &FreeSet, range: Range<usize>) -> ContactSet {
         let first = self.discrete.nodes().start;
         let left: Vec<usize> = free.before(range.start).take(FAR).collect();
         let right: Vec<usize> = free.within(range.end..free.dimension()).take(FAR).collect();
-        // Where there are fewer, the beam ends there.
+        // Where there are fewer contacts, the part extends to the end of the beam.
         let ends = [left.len() < FAR, right.len() < FAR];
         let from = if ends[0] { 0 } else { left[FAR - 1] + first };
         let to = if ends[1] { self.discrete.intervals } else { right[FAR - 1] + first };
@@ -52,7 +52,7 @@ impl<'a> LocalBeam<'a> {
         ContactSet::part(self.discrete, contacts, count, &(from..=to), ends)
     }
 
-    /// Makes contact at the nodes on which a rigid beam would rest the only one, if contact does not hold the beam.
+    /// If the contacts do not hold the beam, replaces them by the nodes on which a rigid beam would rest.
     pub(super) fn hold(&self, free: &mut FreeSet) {
         let first = self.discrete.nodes().start;
         self.discrete.hold(free, true, |i| i + first);
@@ -66,10 +66,10 @@ mod tests {
     use crate::multigrid::tests::{scenes, spread};
     use crate::qp::Sizes;
 
-    /// Of the sizes: systems of condition number 3, and the part that is left out far away.
+    /// Relative to the sizes: systems of condition number 3, and the neglected part far away.
     const ROUNDED: f64 = 1e-11;
 
-    /// On contact sets at random: parts of a beam, and of a chain of links, are those of the whole, by every method.
+    /// On random contact sets, parts of a beam and of a chain of links agree with the whole, for every method.
     #[test]
     fn a_part_is_that_of_the_whole() {
         let mut drawn = 0_u32;
@@ -93,7 +93,7 @@ mod tests {
                         let part = parts.point(&contact, range.clone()).expect("definite");
                         for (k, i) in range.enumerate() {
                             let [p, h] = [whole.contact_force[i], whole.clearance[i]];
-                            // Held at random places the beam carries more than its load.
+                            // A beam held at random positions carries more than its load.
                             let scale = 1.0 + p.abs() / force + h.abs() / depth;
                             let apart = ((part.x[k] - p) / force).abs().max(((part.gradient[k] - h) / depth).abs());
                             assert!(apart <= ROUNDED * scale, "{method}, node {}: {apart:.1e} of {scale:.1e}", i + 1);

@@ -1,14 +1,15 @@
-//! The active set for grids of up to millions of nodes: nested grids, windows, and spans of any length at the price of a short
-//! one. Nothing else needs this room: [`Solver::ActiveSet`](crate::solvers::Solver::ActiveSet) solves every quadratic program
-//! without it, to the same answer, but in a time that grows faster than the number of nodes.
+//! The active set for grids of up to millions of nodes: nested grids, windows, and spans of any length at the cost of a short one.
+//! This module only saves time. [`Solver::ActiveSet`](crate::solvers::Solver::ActiveSet) solves every quadratic program to the same
+//! answer without it, but in a time that grows faster than the number of nodes.
 //!
-//! *Nested grids.* The active set starts from the contact of a coarser grid, so that only the neighbourhood of lift-off points
-//! has to change. Coarser grids only have to give a good guess. All methods are one beam on a set of contacts, or one chain
-//! of links, and what is exchanged here are its contact forces, as in the force method: they are free where there is contact.
-//! Where the ground is rough between the nodes of a coarser grid, its contact is a bad guess; a better one may be given.
+//! *Nested grids.* The active set starts from the contact of a coarser grid, so that only the neighbourhood of lift-off points has to
+//! change. Coarser grids only need to give a good guess. For all methods the beam, or chain of links, on a set of contacts is solved
+//! in the same way. The variables exchanged here are its contact forces, as in the force method: they are free where there is
+//! contact. If the foundation is rough between the nodes of a coarser grid, its contact is a bad guess, and the caller can give a
+//! better one.
 //!
-//! *Windows* (`windows.rs`) around the borders of contact, where a guess from a coarser grid is wrong as a rule, are solved for
-//! themselves before the whole. An optimum is only returned after a solve of the whole with all signs right.
+//! *Windows* (`windows.rs`) surround the borders of contact, where a guess from a coarser grid is usually wrong. They are solved
+//! separately before the whole. An optimum is returned only after a solve of the whole with all signs right.
 
 mod local_beam;
 mod refined;
@@ -25,33 +26,33 @@ use local_beam::LocalBeam;
 use refined::refined;
 use windows::Windows;
 
-/// A coarser grid has so many intervals at least: on fewer, contact is a bad guess. *Tuned* on waves and rough polylines of 20 to 3000
-/// intervals: of 10, 15 and 30 it takes the least work on all of these grids, a third less than 30 on a hundred intervals.
+/// Smallest number of intervals of a coarser grid; with fewer, contact is a bad guess. *Tuned* on waves and rough polylines of 20 to
+/// 3000 intervals. Of 10, 15 and 30 it needs the least work on all of these grids, a third less than 30 on a hundred intervals.
 const COARSEST: usize = 10;
 
-/// From here on the next grid may be finer by more: contact is wrong near lift-off points only.
+/// From this number of intervals on, the refinement to the next grid may be larger: contact is then wrong near lift-off points only.
 const FINE: usize = 1000;
 
-/// Refinement up to such grids, and of them.
+/// Refinement to grids below this number, and from it on.
 const REFINEMENT: [usize; 2] = [2, 8];
 
-/// What solves cost.
+/// The cost of solves.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 struct Cost {
-    /// Solves of a whole beam.
+    /// Solves of the whole beam.
     whole: usize,
     /// Solves of windows.
     windows: usize,
-    /// Variables in all of them.
+    /// Variables in all these solves.
     work: usize,
 }
 
-/// The optimum of a scene on a grid in contact forces: `x = p`, `g = h`, whatever the unknowns of the method are. Solves on all
-/// grids count. Contact to start from is that of coarser grids, unless it is known that contact is `near` another one.
+/// The optimum of a scene on a grid in contact forces: `x = p`, `g = h`, whatever the unknowns of the method are. The cost includes
+/// the solves on all grids. The start is `near` if given, otherwise the contact of coarser grids.
 ///
 /// # Errors
 ///
-/// None for a grid that exists; the type is that of [`Discrete::new`].
+/// None for a grid that exists. The error type is that of [`Discrete::new`].
 pub(crate) fn solve(
     scene: &Scene,
     method: Method,
@@ -74,13 +75,13 @@ pub(crate) fn solve(
     Ok(active_set::answer(end, discrete.nodes().len(), cost.whole + cost.windows, cost.work))
 }
 
-/// Intervals of the next coarser grid, if there is one; fewer where its nodes would miss a support.
+/// Intervals of the next coarser grid, if there is one. The grid used has fewer if its nodes would miss a support.
 pub(crate) fn coarser(intervals: usize) -> Option<usize> {
     let coarse = intervals / REFINEMENT[usize::from(FINE <= intervals)];
     (COARSEST <= coarse).then_some(coarse)
 }
 
-/// Contact at the nodes nearest to some contacts of a beam of this length.
+/// Contact at the nodes nearest to the given contacts of a beam of this length.
 pub(crate) fn nearest(discrete: &Discrete, contacts: &[Contact], length: f64) -> FreeSet {
     let nodes = discrete.nodes();
     let mut free = FreeSet::none(nodes.len());
@@ -95,7 +96,8 @@ pub(crate) fn nearest(discrete: &Discrete, contacts: &[Contact], length: f64) ->
     free
 }
 
-/// Contact to start from on a grid: by a coarser one with a node at each support as well, everywhere if there is none.
+/// The contact to start from on a grid: that of a coarser grid which also has a node at each support, or contact everywhere if there
+/// is no such grid.
 fn start(scene: &Scene, method: Method, discrete: &Discrete, cost: &mut Cost) -> Result<FreeSet, SceneError> {
     let intervals = discrete.intervals;
     let coarse = coarser(intervals).zip(Grid::step(scene)).map_or(0, |(coarse, step)| coarse / step * step);
@@ -106,7 +108,7 @@ fn start(scene: &Scene, method: Method, discrete: &Discrete, cost: &mut Cost) ->
     let mut free = start(scene, method, &coarse, cost)?;
     let beam = LocalBeam::new(&coarse, method.discretisation());
     if discrete.gives() {
-        // A solve that fails here fails again on the finest grid, where the error is returned.
+        // A solve that fails here fails again on the finest grid, which returns the error.
         let _ = by_newton(&beam, &mut free, cost);
     } else if discrete.tension != 0.0 {
         let _ = whole(&beam, &mut free, cost);
@@ -116,14 +118,15 @@ fn start(scene: &Scene, method: Method, discrete: &Discrete, cost: &mut Cost) ->
     Ok(refined(&free, intervals, discrete.held_ends()))
 }
 
-/// The optimum on ground that gives, where a change at a contact changes the forces at all others, so that there are no windows: all
-/// variables on the wrong side change together, Newton's method for springs that cannot pull, and if that does not end, as elsewhere.
+/// The optimum on an elastic foundation. A change at one contact changes the forces at all others, so there are no windows. All
+/// variables on the wrong side change together, which is Newton's method for compression-only springs. If it does not end, the
+/// exchanges and descent of the active set follow.
 fn by_newton(
     beam: &LocalBeam<'_>,
     free: &mut FreeSet,
     cost: &mut Cost,
 ) -> Result<(Stationary, bool), NotPositiveDefinite> {
-    /// A handful are the rule.
+    /// A handful of steps is usual.
     const STEPS: usize = 60;
     let n = free.dimension();
     let mut whole = all_of(beam, n, cost);
@@ -146,7 +149,7 @@ fn by_newton(
     end
 }
 
-/// The optimum under an axial force. Compression carries a change at one contact over many others: there are no windows.
+/// The optimum under an axial force. Compression transmits a change at one contact to many others, so there are no windows.
 fn whole(beam: &LocalBeam<'_>, free: &mut FreeSet, cost: &mut Cost) -> Result<(Stationary, bool), NotPositiveDefinite> {
     let n = free.dimension();
     let (mut solves, mut idle) = (0, 0);
@@ -159,7 +162,7 @@ fn whole(beam: &LocalBeam<'_>, free: &mut FreeSet, cost: &mut Cost) -> Result<(S
     end
 }
 
-/// All variables of a beam.
+/// The reduced program of all variables of a beam.
 fn all_of<'a>(beam: &'a LocalBeam<'_>, n: usize, cost: &Cost) -> Reduced<'a> {
     Reduced {
         point: Box::new(move |free| beam.point(free, 0..n)),
@@ -195,10 +198,10 @@ pub(super) mod tests {
         foundations.map(move |foundation| Scene::new(beam.clone(), load.clone(), Some(foundation)).expect("well posed"))
     }
 
-    /// The start changes the work and not the result: near the optimum, far from it, everywhere, nowhere.
+    /// The start affects the work but not the result: near the optimum, far from it, everywhere, nowhere.
     #[test]
     fn every_start_leads_to_the_optimum() {
-        /// Of the sizes: one optimum, with the rounding of systems of condition number 3, and forces of rounding size at ties.
+        /// Relative to the sizes: one optimum, with the rounding of systems of condition number 3, and forces of rounding size at ties.
         const ROUNDED: f64 = 1e-10;
         for scene in scenes().step_by(3) {
             let scaled = scene.scaled().expect("in range");
@@ -229,11 +232,11 @@ pub(super) mod tests {
         }
     }
 
-    /// Behind a kink between the nodes of a grid is a hole, whose nodes exchanges change one after the other: thousands of solves of
-    /// the whole beam, without windows.
+    /// Behind a kink between the nodes of a grid is a hole. Without windows exchanges change its nodes one after the other, with
+    /// thousands of solves of the whole beam.
     #[test]
     fn the_whole_beam_is_solved_a_few_times_only() {
-        /// One that confirms what windows have found, as a rule; the worst of two thousand scenes needs fifty.
+        /// Usually one solve, which confirms the result of the windows. The maximum of two thousand scenes is fifty.
         const FEW: usize = 10;
         for scene in scenes() {
             let scaled = scene.scaled().expect("in range");

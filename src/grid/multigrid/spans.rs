@@ -2,17 +2,17 @@
 
 use crate::methods::span::Span;
 
-/// Intervals of the shortest stored span: a query adds at most twice as many loads one by one.
+/// Intervals of the shortest stored span. A query adds at most twice as many loads one by one.
 const LEAF: usize = 32;
 
-/// Spans of `LEAF · 2^k` intervals, `k = 0, 1, …`, from which every span is put together: O(log n) for each.
+/// Spans of `LEAF · 2^k` intervals, `k = 0, 1, …`, from which every span is joined in O(log n).
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Spans {
     levels: Vec<Vec<Span>>,
 }
 
 impl Spans {
-    /// The spans between the nodes that carry `loads`, the two ends of the beam included.
+    /// The spans between the nodes that carry `loads`, including the two ends of the beam.
     pub(super) fn new(loads: &[f64]) -> Self {
         let leaves = (loads.len() - 1) / LEAF;
         let leaf = |k: usize| Span::summed(&loads[k * LEAF + 1..(k + 1) * LEAF]);
@@ -26,7 +26,8 @@ impl Spans {
         Self { levels }
     }
 
-    /// The beam between two nodes, `first < last`, as a simple beam. Out of line: in dense contact the caller has single intervals only.
+    /// The beam between two nodes, `first < last`, as a simple beam. Not inlined, because in dense contact the caller has only single
+    /// intervals.
     #[inline(never)]
     pub(super) fn between(&self, loads: &[f64], first: usize, last: usize) -> Span {
         if last <= first + LEAF {
@@ -56,7 +57,7 @@ impl Spans {
 mod tests {
     use super::*;
 
-    /// Against sums over all loads, from and to any place within, at and across the stored spans.
+    /// Against sums over all loads, for ends within, at and across the stored spans.
     #[test]
     fn joined_spans_are_one_span() {
         let loads: Vec<f64> = (0..=1000).map(|i| f64::from(1 + i % 7)).collect();

@@ -1,13 +1,14 @@
-//! Windows: ranges of variables, each solved for itself while all others keep their side.
+//! Windows: ranges of variables, each solved separately while all other variables keep their side.
 //!
-//! A guess from a coarser grid is wrong only where runs of contact end. The quadratic program *of the window* is (32) with the
-//! signs of its own variables only: variables outside that are free may have any sign, and those at zero stay there. It is of
-//! the same kind with fewer constraints, so that whatever ends at the optimum of (32) ends at that of a window as well.
+//! A guess from a coarser grid is wrong only where runs of contact end. The quadratic program *of the window* is (32) with the sign
+//! constraints of its own variables only. Free variables outside the window may have any sign, and the others outside stay at zero.
+//! It is of the same kind as (32) with fewer constraints, so every method that reaches the optimum of (32) also reaches the optimum
+//! of a window.
 //!
-//! Windows around borders and violators are made optimal by themselves, by a [descent](crate::solvers::active_set), and widened
-//! as long as variables beside them are on the wrong side, but in the first rounds not far, as one window may disturb
-//! another. That takes a small part of the time of a solve of the whole. Windows reach twice as far each time that exchanges
-//! of the whole do not end, until one window has all variables; its optimum is that of (32).
+//! Windows around borders and violators are made optimal separately, by a [descent](crate::solvers::active_set). They are widened as
+//! long as variables next to them are on the wrong side, but in the first rounds not far, because one window may disturb another.
+//! This needs a small part of the time of a solve of the whole. Each time that exchanges of the whole do not end, windows reach twice
+//! as far, until one window contains all variables. Its optimum is that of (32).
 
 use std::ops::Range;
 
@@ -17,44 +18,44 @@ use crate::qp::{FreeSet, NotPositiveDefinite, Stationary};
 use crate::solvers::MOST_WORK;
 use crate::solvers::active_set::{PATIENCE, Reduced, descend, exchange, optimum, solves_within, violators};
 
-/// Variables on both sides of a border or a violator in its first window: the spacing of one grid in the next, a few times.
+/// Variables on both sides of a border or a violator in its first window: a few times the spacing of one grid in the next.
 const REACH: usize = 32;
 
-/// Rounds of windows by themselves. Most settle in one or two; the influence of a window falls geometrically with its distance.
+/// Rounds of separate windows. Most windows settle in one or two rounds; the influence of a window decreases geometrically with distance.
 const ROUNDS: usize = 10;
 
-/// Windows are local where one solve of each costs less than this part of one of the whole.
+/// Windows count as local if one solve of each costs less than this fraction, `1/LOCAL`, of a solve of the whole.
 const LOCAL: usize = 2;
 
-/// The most work of windows, in solves of the whole: those around the borders, which may all be right, and the first ones around
-/// places where exchanges do not end.
+/// The largest work of windows, in solves of the whole: for windows around borders, which may all be right, and for the first windows
+/// where exchanges do not end.
 const BUDGET: [usize; 2] = [1, 8];
 
-/// What a solve of a window costs beside its variables, in variables.
+/// The overhead of a solve of a window, in variables.
 const SOLVE: usize = 200;
 
-/// Windows of a beam, and what they have cost.
+/// The windows of a beam, and their cost so far.
 pub(super) struct Windows<'a> {
     pub(super) beam: &'a LocalBeam<'a>,
     pub(super) cost: &'a mut Cost,
 }
 
 impl Windows<'_> {
-    /// A guess of the contact from another one: optimal near its borders, or else everywhere.
+    /// Turns a guess of the contact into one that is optimal near its borders, or otherwise everywhere.
     pub(super) fn guess(&mut self, free: &mut FreeSet) {
         if !self.solve_borders(free) {
-            // A solve that fails here fails again on the finest grid, where the error is returned.
+            // A solve that fails here fails again on the finest grid, which returns the error.
             let _ = self.exchanged(free);
         }
     }
 
-    /// The optimum of the whole, and whether nothing is on the wrong side.
+    /// The optimum of the whole, and whether no variable is on the wrong side.
     pub(super) fn optimum(&mut self, free: &mut FreeSet) -> Result<(Stationary, bool), NotPositiveDefinite> {
         self.solve_borders(free);
         self.exchanged(free)
     }
 
-    /// The optimum of the whole by exchanges, by windows where these do not end, and by a descent where windows do not.
+    /// The optimum of the whole by exchanges, by windows where exchanges do not end, and by a descent where windows do not.
     fn exchanged(&mut self, free: &mut FreeSet) -> Result<(Stationary, bool), NotPositiveDefinite> {
         let (n, beam) = (free.dimension(), self.beam);
         let (mut idle, mut scale, mut solves) = (0, 1, 0);
@@ -82,7 +83,7 @@ impl Windows<'_> {
         end
     }
 
-    /// Makes windows around the borders optimal, as far as that is cheap. Whether there were any, and all were settled.
+    /// Makes windows around the borders optimal if that is cheap. Returns whether there were any and all settled.
     fn solve_borders(&mut self, free: &mut FreeSet) -> bool {
         self.beam.hold(free);
         let windows = around(&borders(free), REACH, free.dimension());
@@ -92,16 +93,17 @@ impl Windows<'_> {
         self.solve_windows(free, windows, BUDGET[0])
     }
 
-    /// Makes windows optimal, and as much around them as changes with them, in the work of so many solves of the whole.
-    /// Whether all were settled.
+    /// Makes windows optimal, together with as much of their surroundings as changes with them, in the work of `budget` solves of the
+    /// whole. Returns whether all settled.
     fn solve_windows(&mut self, free: &mut FreeSet, windows: Vec<Range<usize>>, budget: usize) -> bool {
         let settled = self.settle(free, windows, budget).unwrap_or(false);
-        // A window may have dropped the contacts that hold the beam. Another failure is repeated by the solve of the whole, and returned.
+        // A window may have dropped the contacts that hold the beam. Any other failure occurs again in the solve of the whole, which
+        // returns it.
         self.beam.hold(free);
         settled
     }
 
-    /// The same; an error if contact does not hold the beam any more, or a number is not finite.
+    /// The same, with an error if the contacts no longer hold the beam or a number is not finite.
     fn settle(
         &mut self,
         free: &mut FreeSet,
@@ -115,7 +117,7 @@ impl Windows<'_> {
         for round in 0..ROUNDS {
             let mut settled = Vec::new();
             for range in pending {
-                // A violator far off may be due to a window that is not solved yet: no wider in this round.
+                // A violator far away may be due to a window that is not solved yet, so the range is limited in this round.
                 let longest = (4 * REACH).max(range.len()) << round;
                 settled.push(self.solve_window(free, range, longest)?);
                 if most < spent(self.cost) || self.left(n) == 0 {
@@ -136,9 +138,9 @@ impl Windows<'_> {
         Ok(false)
     }
 
-    /// Makes a range optimal, and widens it until nothing beside it is on the wrong side, or beyond a length.
+    /// Makes a range optimal, and widens it until nothing next to it is on the wrong side or it exceeds a length.
     ///
-    /// At least `√n` variables beside it are checked: behind a place where contact ends, the discrete optimum has a hole of that
+    /// At least `√n` variables next to it are checked. Behind a position where contact ends, the discrete optimum has a hole of that
     /// length.
     fn solve_window(
         &mut self,
@@ -148,7 +150,7 @@ impl Windows<'_> {
     ) -> Result<Range<usize>, NotPositiveDefinite> {
         let n = free.dimension();
         while range.len() <= longest && 0 < self.left(n) {
-            // A descent that rounding keeps from ending would do so again.
+            // If rounding keeps a descent from ending, it would do so again.
             if !self.descended(free, &range)? {
                 break;
             }
@@ -162,7 +164,7 @@ impl Windows<'_> {
         Ok(range)
     }
 
-    /// Makes a range optimal by a descent. Whether it ended at an optimum.
+    /// Makes a range optimal by a descent. Returns whether it ended at an optimum.
     fn descended(&mut self, free: &mut FreeSet, range: &Range<usize>) -> Result<bool, NotPositiveDefinite> {
         let (beam, mut solves, mut local) = (self.beam, 0, free.part(range.clone()));
         let most_solves = self.left(range.len());
@@ -170,7 +172,7 @@ impl Windows<'_> {
             free.replace(range.start, local);
             beam.point(free, range.clone())
         };
-        // Whether contact holds the beam is checked once all windows are solved.
+        // Whether the contacts hold the beam is checked after all windows are solved.
         let mut window = Reduced { point: Box::new(on_range), make_definite: Box::new(|_| {}), most_solves };
         let end = descend(&mut window, &mut local, &mut solves);
         drop(window);
@@ -181,12 +183,12 @@ impl Windows<'_> {
         end.map(|(_, optimal)| optimal)
     }
 
-    /// Solves of `n` variables that the budget of a run still allows.
+    /// The number of solves of `n` variables that the budget of a run still allows.
     fn left(&self, n: usize) -> usize {
         solves_within(MOST_WORK.saturating_sub(self.cost.work), n)
     }
 
-    /// A range as it is: the point, and its variables on the wrong side.
+    /// Solves a range without changing it: the point, and its variables on the wrong side.
     fn check(&mut self, free: &FreeSet, range: &Range<usize>) -> Result<(Stationary, Vec<usize>), NotPositiveDefinite> {
         self.cost.windows += 1;
         self.cost.work += range.len();
@@ -196,17 +198,17 @@ impl Windows<'_> {
     }
 }
 
-/// What one solve of each window costs, in variables.
+/// The cost of one solve of each window, in variables.
 fn price(windows: &[Range<usize>]) -> usize {
     windows.iter().map(|range| range.len() + SOLVE).sum()
 }
 
-/// The windows of the variables within `reach` of some places, ascending, among n.
+/// The windows of the variables within `reach` of the given ones, ascending, among n.
 fn around(places: &[usize], reach: usize, n: usize) -> Vec<Range<usize>> {
     merged(places.iter().map(|&i| widened(i..i + 1, reach, n)))
 }
 
-/// The last variables before each change between free and not, among n.
+/// The last variable before each change between free and not free, among n.
 fn borders(free: &FreeSet) -> Vec<usize> {
     let ends = free.runs().flat_map(|run| [run.start.wrapping_sub(1), run.end - 1]);
     ends.filter(|&i| i != usize::MAX && i + 1 < free.dimension()).collect()
@@ -217,7 +219,7 @@ fn widened(range: Range<usize>, reach: usize, n: usize) -> Range<usize> {
     range.start.saturating_sub(reach)..(range.end + reach).min(n)
 }
 
-/// Ranges with ascending starts, those that overlap or touch put together.
+/// Merges ranges with ascending starts where they overlap or touch.
 fn merged(ranges: impl Iterator<Item = Range<usize>>) -> Vec<Range<usize>> {
     let mut merged: Vec<Range<usize>> = Vec::new();
     for range in ranges {

@@ -1,15 +1,15 @@
-//! `UᵀDU` of a symmetric positive definite matrix of small bandwidth, row by row: O(n w²) operations, O(n w) numbers.
+//! The factorisation `UᵀDU` of a symmetric positive definite matrix of small bandwidth, row by row: O(n w²) operations, O(n w) numbers.
 
 /// Equations `A x = r` with a symmetric matrix that has `W` diagonals above the main one.
 ///
-/// Rows are eliminated as they come, from the first to the last; [`solve`](Self::solve) substitutes back.
+/// [`push`](Self::push) eliminates each row as it arrives, from the first to the last; [`solve`](Self::solve) substitutes back.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Band<const W: usize> {
-    /// `u_i,i+1 … u_i,i+W`: the entries above the diagonal over the pivot.
+    /// `u_i,i+1 … u_i,i+W`: the entries above the diagonal, divided by the pivot.
     above: Vec<[f64; W]>,
-    /// The right-hand side, eliminated and over the pivot.
+    /// The right-hand side after elimination, divided by the pivot.
     right: Vec<f64>,
-    /// What the rows so far take away from the next `W` rows.
+    /// The amounts that the rows so far subtract from the next `W` rows.
     taken: [Row<W>; W],
 }
 
@@ -24,11 +24,11 @@ pub struct Row<const W: usize> {
     pub right: f64,
 }
 
-/// A pivot that should be positive is not, or a right-hand side is no number.
+/// A pivot is not positive, or a right-hand side is not finite.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error("pivot {index} of the factorisation must be positive, but is {pivot}: rounding destroyed definiteness")]
 pub struct NotPositiveDefinite {
-    /// Which pivot, from 0.
+    /// Index of the pivot, from 0.
     pub index: usize,
     /// Its value.
     pub pivot: f64,
@@ -37,13 +37,13 @@ pub struct NotPositiveDefinite {
 impl<const W: usize> Band<W> {
     const ZERO: Row<W> = Row { diagonal: 0.0, above: [0.0; W], right: 0.0 };
 
-    /// No equations yet, with memory for n.
+    /// No equations yet, with memory for n of them.
     #[must_use]
     pub(crate) fn with_capacity(n: usize) -> Self {
         Self { above: Vec::with_capacity(n), right: Vec::with_capacity(n), taken: [Self::ZERO; W] }
     }
 
-    /// One more row.
+    /// Adds a row.
     ///
     /// # Errors
     ///
@@ -53,7 +53,7 @@ impl<const W: usize> Band<W> {
         let taken = self.taken[0];
         let pivot = row.diagonal - taken.diagonal;
         let rest = row.right - taken.right;
-        // The comparisons also refuse NaN, and the sum whatever is infinite.
+        // The comparisons also reject NaN, and the sum rejects infinite values.
         if !((0.0 < pivot) & (pivot + rest.abs() < f64::INFINITY)) {
             return Err(self.refused(pivot));
         }
@@ -83,7 +83,7 @@ impl<const W: usize> Band<W> {
         NotPositiveDefinite { index: self.right.len(), pivot }
     }
 
-    /// `x`.
+    /// The solution `x`.
     #[must_use]
     pub fn solve(self) -> Vec<f64> {
         let mut x = self.right;

@@ -1,40 +1,40 @@
-//! A chain of symmetric blocks of two, by elimination in which no digit is lost:
+//! A chain of symmetric 2 × 2 blocks, solved by an elimination that loses no digits:
 //!
 //! ```text
 //! B y − W x = r₂        (B y)_i = c_i (y_{i+1} − y_i) − c_{i−1} (y_i − y_{i−1}) − η_i y_i
 //! B x + Θ y = r₁        Θ ≥ 0 and W positive definite, tridiagonal with σ and ω beside the diagonal
 //! ```
 //!
-//! Written with `h = c + e`, every pivot is a sum of positive numbers but for differences that are small by construction:
+//! With `h = c + e`, every pivot is a sum of positive numbers, except for differences that are small by construction:
 //!
 //! ```text
 //! d = a g + h²,   a' = Θ' + (a c² + 2 c h σ − g σ²)/d,   g' = w' + (g c² + 2 c h ω − a ω²)/d
 //! e' = η' + (c (a (g + ω) + h e) + σ (c g + h ω))/d
 //! ```
 //!
-//! A row may be a spring of the stiffness `k` against turning instead, between a place and itself: `y` is the same before and behind it,
-//! and `x` falls by `k ψ` from left to right with the slope `ψ = e y + g x + …` that the chain on its left has there. Nothing cancels:
+//! A row may instead be a rotational spring of stiffness `k` between the two sides of a node. `y` is then the same on both sides, and
+//! `x` decreases by `k ψ` from left to right, with the slope `ψ = e y + g x + …` of the chain to its left. Nothing cancels:
 //!
 //! ```text
 //! s = 1/(1 + k g):     a' = a + k s e²,   e' = s e,   g' = s g
 //! ```
 
-/// Large enough to fix the variable of its row to all digits: a power of two, so that nothing else is rounded.
+/// Large enough to fix the variable of its row to all digits. A power of two, so that nothing else is rounded.
 pub(crate) const PENALTY: f64 = f64::from_bits(0x52b0_0000_0000_0000);
 
 /// A member of the chain.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Block {
-    /// What joins it to the next one: nothing behind the last.
+    /// The coupling to the next member; zero for the last one.
     pub(crate) c: f64,
     /// Diagonal entry of `W`.
     pub(crate) w: f64,
-    /// Entry of `W` beside the diagonal, to the right: `ω`.
+    /// Off-diagonal entry of `W` to the right: `ω`.
     pub(crate) off: f64,
-    /// The same of `Θ`, `σ`, and what `B` has more on its diagonal, `η`: of a beam on springs.
+    /// The off-diagonal entry `σ` of `Θ`, and the additional diagonal entry `η` of `B`, for a beam on springs.
     sigma: f64,
     eta: f64,
-    /// Of a spring against turning its stiffness `k`; its `w` and `η` are those of the chain on its left.
+    /// The stiffness `k` of a rotational spring. Its `w` and `η` are those of the chain to its left.
     turning: f64,
     /// Pivot block `[[a, −h], [−h, −g]]` and `1/(a g + h²)`.
     a: f64,
@@ -46,27 +46,27 @@ pub(crate) struct Block {
 }
 
 impl Block {
-    /// A member by what joins it to the next one, and its part of `W`.
+    /// A member with its coupling to the next one and its entries of `W`.
     pub(crate) fn new(c: f64, w: f64, off: f64) -> Self {
         Self { c, w, off, ..Self::default() }
     }
 
-    /// The same on springs.
+    /// The same with the entries `σ` and `η` of a beam on springs.
     pub(crate) fn on_springs(self, sigma: f64, eta: f64) -> Self {
         Self { sigma, eta, ..self }
     }
 
-    /// A spring against turning, as a row of its own before that of its place.
+    /// The same as a rotational spring, in a separate row before the row of its node.
     pub(crate) fn turning(self, stiffness: f64) -> Self {
         Self { turning: stiffness, ..self }
     }
 
-    /// Whether its solution is one.
+    /// Whether the solution of this row is finite.
     pub(crate) fn is_finite(&self) -> bool {
         (self.step[0] + self.step[1]).is_finite()
     }
 
-    /// Eliminates the row towards another under an axial force; `carried.a` is without the string of the link.
+    /// Eliminates the row towards another under an axial force. `carried.a` excludes the string of the link.
     #[inline]
     fn eliminate_under_tension(&mut self, carried: Carried, theta: f64, between: Between, left: f64) -> Carried {
         if 0.0 < between.turning {
@@ -83,7 +83,7 @@ impl Block {
         }
     }
 
-    /// What is left of its pivot, as a share of all that this is a sum of.
+    /// The pivot as a fraction of the sum of the magnitudes of its terms.
     fn left_of_pivot(&self, carried: Carried, theta: f64, between: Between) -> f64 {
         let ([c, _, sigma], g) = (between.entries, carried.g.abs() + self.w);
         let size = match 0.0 < between.turning {
@@ -93,7 +93,7 @@ impl Block {
         1.0 / (self.inverse.abs() * size)
     }
 
-    /// How many of the pivots of its row are negative: that of `x` is, and that of `y` is not as long as the beam is stable.
+    /// The number of negative pivots in the row. The pivot of `x` is negative, and the pivot of `y` is not as long as the beam is stable.
     pub(crate) fn negative_pivots(&self) -> usize {
         match 0.0 < self.inverse {
             true => 1,
@@ -102,7 +102,7 @@ impl Block {
         }
     }
 
-    /// The pivot, if it is no positive number, or if the solution is none.
+    /// The pivot, if it is not positive or the solution is not finite.
     pub(crate) fn failed(&self) -> Option<f64> {
         let sound = 0.0 < self.inverse && (self.inverse + self.step[0] + self.step[1]).is_finite();
         (!sound).then_some(self.a)
@@ -115,7 +115,7 @@ impl AsMut<Self> for Block {
     }
 }
 
-/// What elimination up to a row leaves in its pivot block.
+/// The contribution of all eliminated rows to the next pivot block.
 #[derive(Debug, Clone, Copy, Default)]
 struct Carried {
     a: f64,
@@ -123,7 +123,7 @@ struct Carried {
     g: f64,
 }
 
-/// What is between two rows: the entries `c`, `ω` and `σ`, or the stiffness of a spring against turning between both sides of a place.
+/// The coupling between two rows: the entries `c`, `ω` and `σ`, or the stiffness of a rotational spring between the two sides of a node.
 #[derive(Debug, Clone, Copy)]
 struct Between {
     entries: [f64; 3],
@@ -131,7 +131,7 @@ struct Between {
 }
 
 impl Between {
-    /// What a solution on one side adds to the equations on the other.
+    /// The contribution of a solution on one side to the equations on the other.
     #[inline]
     fn across<const SPRINGS: bool>(self, [y, x]: [f64; 2]) -> [f64; 2] {
         let [c, off, sigma] = self.entries;
@@ -140,7 +140,7 @@ impl Between {
 }
 
 impl Block {
-    /// What is between this row and the one to its right.
+    /// The coupling between this row and the one to its right.
     #[inline]
     fn beside(&self) -> Between {
         Between { entries: [self.c, self.off, self.sigma], turning: self.turning }
@@ -186,7 +186,7 @@ impl Block {
         [(self.g * y1 - self.h * y2) * self.inverse, -(self.h * y1 + self.a * y2) * self.inverse]
     }
 
-    /// Sets what its equations without the next row say, and returns what that adds there.
+    /// Solves the equations of the row without the next row, and returns the contribution to the next row.
     #[inline]
     fn forwards<const SPRINGS: bool>(&mut self, [y1, y2]: [f64; 2], between: Between) -> [f64; 2] {
         if SPRINGS && 0.0 < between.turning {
@@ -197,7 +197,7 @@ impl Block {
         between.across::<SPRINGS>(self.step)
     }
 
-    /// Corrects that for the solution of the next row.
+    /// Corrects the solution of the row for the solution of the next row.
     #[inline]
     fn backwards<const SPRINGS: bool>(&mut self, next: [f64; 2], between: Between) -> [f64; 2] {
         if SPRINGS && 0.0 < between.turning {
@@ -211,22 +211,22 @@ impl Block {
     }
 }
 
-/// Factors the matrix, with `Θ_i` the `ratio` of a row, from left to right.
+/// Factors the matrix from left to right, with `ratio` giving `Θ_i` of a row.
 #[inline]
 pub(crate) fn factor<R: AsMut<Block>>(rows: &mut [R], ratio: impl Fn(&R) -> f64) {
     let last = rows.len().saturating_sub(1);
     factor_towards(rows, last, ratio);
 }
 
-/// The same with the same digits where no row has `σ`, `η` or a spring against turning.
+/// The same, with identical digits, for a chain in which no row has `σ`, `η` or a rotational spring.
 #[inline]
 pub(crate) fn factor_rigid<R: AsMut<Block>>(rows: &mut [R], ratio: impl Fn(&R) -> f64) {
     let last = rows.len().saturating_sub(1);
     factor_by::<false, _>(rows, last, ratio);
 }
 
-/// Factors the matrix from both ends towards a row: where a row has an infinite `w`, a hinge, elimination must not begin on the side on
-/// which statics alone says what is there, and which could move without the rest.
+/// Factors the matrix from both ends towards a row. If a row is a hinge, with infinite `w`, elimination must not begin on a side that
+/// is determined by statics alone and could move without the rest.
 #[inline]
 pub(crate) fn factor_towards<R: AsMut<Block>>(rows: &mut [R], meeting: usize, ratio: impl Fn(&R) -> f64) {
     factor_by::<true, _>(rows, meeting, ratio);
@@ -253,15 +253,15 @@ fn factor_by<const SPRINGS: bool, R: AsMut<Block>>(rows: &mut [R], meeting: usiz
     row.as_mut().pivot(Carried { a: a + right.a, e, g: g + right.g }, theta, right.e);
 }
 
-/// The same of a beam under an axial force, where `σ = −n` is the stiffness of a string in each link, and `left`, `c² − n ω`, is known
-/// without cancellation. With `a = n + b` no digit is lost under tension:
+/// The same for a beam under an axial force. There `σ = −n` is the stiffness of a string in each link, and `left`, which is
+/// `c² − n ω`, is known without cancellation. With `a = n + b` no digit is lost under tension:
 ///
 /// ```text
 /// b' = Θ' + (b (c² + n g) + n e²)/d,   g' = w' + (c² g + ω (c h + c e + c² − n ω) − b ω²)/d
 /// e' = (b c (g + ω) + e (c e + c² − n ω))/d
 /// ```
 ///
-/// From a free end on only the string holds what has been eliminated: a small force would lose its digits.
+/// From a free end on, only the string holds what has been eliminated, and a small axial force would lose its digits.
 pub(crate) fn factor_under_tension<R: AsMut<Block>>(
     rows: &mut [R],
     meeting: usize,
@@ -287,8 +287,8 @@ pub(crate) fn factor_under_tension<R: AsMut<Block>>(
     row.as_mut().pivot(Carried { a: a + right.a, e, g: g + right.g }, theta, right.e);
 }
 
-/// The row towards which the factorisation of a compressed beam loses the fewest digits. On the way from an end pivots are those of a part that is
-/// hinged behind it, which may buckle where the whole does not.
+/// The row towards which the factorisation of a compressed beam loses the fewest digits. On the way from an end, the pivots are those
+/// of a part that is hinged behind it. This part may buckle where the whole beam does not.
 pub(crate) fn best_meeting<R: AsMut<Block>>(
     rows: &mut [R],
     ratio: impl Fn(&R) -> f64 + Copy,
@@ -299,7 +299,7 @@ pub(crate) fn best_meeting<R: AsMut<Block>>(
         let (mut all, mut carried, towards_left) = (vec![0.0; last + 1], Carried::default(), ends[1] < ends[0]);
         for k in 0..=last {
             let i = if towards_left { last - k } else { k };
-            // Nothing is beyond the last row.
+            // Beyond the last row there is no link.
             let beside = if towards_left { i.saturating_sub(1) } else { i };
             let (theta, fall, between) = (ratio(&rows[i]), left(&rows[beside]), rows[beside].as_mut().beside());
             let mut block = *rows[i].as_mut();
@@ -323,21 +323,21 @@ pub(crate) fn best_meeting<R: AsMut<Block>>(
     best.1
 }
 
-/// Solves with these factors for `step`, with `right`, `r₁` and `r₂`, of each row.
+/// Solves with these factors for `step`; `right` gives `r₁` and `r₂` of each row.
 #[inline]
 pub(crate) fn solve<R: AsMut<Block>>(rows: &mut [R], right: impl Fn(&R) -> [f64; 2]) {
     let last = rows.len().saturating_sub(1);
     solve_towards(rows, last, right);
 }
 
-/// The same with factors of [`factor_rigid`].
+/// The same with the factors of [`factor_rigid`].
 #[inline]
 pub(crate) fn solve_rigid<R: AsMut<Block>>(rows: &mut [R], right: impl Fn(&R) -> [f64; 2]) {
     let last = rows.len().saturating_sub(1);
     solve_by::<false, _>(rows, last, right);
 }
 
-/// The same with factors towards a row.
+/// The same with the factors of [`factor_towards`].
 #[inline]
 pub(crate) fn solve_towards<R: AsMut<Block>>(rows: &mut [R], meeting: usize, right: impl Fn(&R) -> [f64; 2]) {
     solve_by::<true, _>(rows, meeting, right);

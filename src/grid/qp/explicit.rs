@@ -1,16 +1,16 @@
-//! A quadratic program that is given by its matrix, whatever that stands for.
+//! A quadratic program given by its matrix, whatever the matrix stands for.
 
 use super::ordering::elimination_order;
 use super::{FreeSet, Matrix, NotPositiveDefinite, Profile, Qp, Sizes, SparseForm, Stationary, Sums};
 use crate::double::Double;
 
-/// The quadratic program (32) of a matrix `A` and a vector `b`, in twice the precision where it counts.
+/// The quadratic program (32) of a matrix `A` and a vector `b`, in twice the precision where that matters.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Explicit {
     matrix: Profile,
-    /// What is missing to `A`, which may be a sum that 64 bits cannot hold.
+    /// The difference between `A` and `matrix`: `A` may be a sum that 64 bits cannot represent.
     rest: Profile,
-    /// The order in which unknowns are eliminated.
+    /// The elimination order of the unknowns.
     order: Vec<usize>,
     /// The factor of `matrix` in this order.
     factor: Profile,
@@ -18,14 +18,15 @@ pub struct Explicit {
     sizes: Sizes,
 }
 
-/// Rounds of refinement: each gains as many digits as the matrix leaves of sixteen, so that two or three are the rule.
+/// Rounds of refinement. Each gains as many digits as the condition of the matrix leaves of sixteen; two or three are usual.
 const ROUNDS: usize = 40;
 
-/// Values below this share of the largest are rounding of a refined solve: with conditions up to 1e14 it leaves less than
-/// `1e14 · 2⁻¹⁰⁶`, which is 1.2e-18.
+/// Values below this fraction of the largest one are rounding of a refined solve. With condition numbers up to 1e14 refinement leaves
+/// less than `1e14 · 2⁻¹⁰⁶`, which is 1.2e-18.
 const ROUNDING: f64 = 2e-18;
 
-/// A solve counts as one of all unknowns for so many products of its factorisation for each: what those of a banded program cost.
+/// A solve counts as one pass over all unknowns for this many products of its factorisation per unknown, which is the cost in a
+/// banded program.
 const PRODUCTS: usize = 128;
 
 impl Explicit {
@@ -40,7 +41,7 @@ impl Explicit {
         Ok(Self::factored([matrix, Profile::default()])?.with_linear(sums))
     }
 
-    /// The program of `A` in two parts, the second what is rounded off the first, and of no `b`.
+    /// The program of `A` in two parts, the second being the rounding error of the first, with `b = 0`.
     pub(crate) fn factored([matrix, rest]: [Profile; 2]) -> Result<Self, NotPositiveDefinite> {
         let order = elimination_order(&matrix);
         let factor = matrix.part(&order, 0.0).cholesky();
@@ -56,24 +57,24 @@ impl Explicit {
             0.0 => 1.0,
             most => most,
         };
-        // What a variable would be if all others were zero.
+        // The value of a variable if all others are zero.
         let x = most(&mut b.iter().zip(self.matrix.diagonal()).map(|(b, a)| b.abs() / a));
         let sizes = Sizes { x, gradient: most(&mut b.iter().map(|b| b.abs())) };
         Self { linear, sizes, ..self }
     }
 
-    /// `A`, rounded.
+    /// `A`, rounded to 64 bits.
     #[must_use]
     pub fn profile(&self) -> &Profile {
         &self.matrix
     }
 
-    /// What is missing to `A`.
+    /// The difference between `A` and its rounded value.
     pub(crate) fn rest(&self) -> &Profile {
         &self.rest
     }
 
-    /// The order in which unknowns are eliminated.
+    /// The elimination order of the unknowns.
     pub(crate) fn order(&self) -> &[usize] {
         &self.order
     }
@@ -83,17 +84,17 @@ impl Explicit {
         &self.factor
     }
 
-    /// Solves `A x = b`, once.
+    /// Solves `A x = b` without refinement.
     pub(crate) fn solve(&self, b: &[f64]) -> Vec<f64> {
         solved_in(&self.order, &self.factor, b)
     }
 
-    /// `b` with its rounding.
+    /// `b` with a bound on its rounding.
     pub(crate) fn right(&self) -> &Sums {
         &self.linear
     }
 
-    /// The gradient `A x − b` with its rounding.
+    /// The gradient `A x − b` with a bound on its rounding.
     pub(crate) fn gradient_at(&self, x: &[Double]) -> Sums {
         let mut sums = self.linear.negative();
         self.matrix.times_into(x, &mut sums);
@@ -101,8 +102,8 @@ impl Explicit {
         sums
     }
 
-    /// `x` with a given gradient, zero where no other is given, on some variables, the others being as they were before, or zero;
-    /// refined as long as corrections become smaller.
+    /// `x` with the given gradient, or gradient zero where none is given, at the chosen variables. The other variables keep their
+    /// value from `before`, or zero. The solution is refined as long as corrections become smaller.
     pub(crate) fn solved(
         &self,
         chosen: &[usize],
@@ -127,7 +128,7 @@ impl Explicit {
             let mut step: Vec<f64> = chosen.iter().map(|&i| (wanted(i) - found.values[i]).rounded()).collect();
             factor.solve(&mut step);
             let size = step.iter().fold(0.0_f64, |most, step| most.max(step.abs()));
-            // Also ends where nothing is a number.
+            // Also ends if a number is NaN.
             if !(0.0 < size && size < 0.5 * last) {
                 break;
             }
@@ -179,7 +180,7 @@ impl Qp for Explicit {
     }
 }
 
-/// Solves `L Lᵀ x = b` for unknowns that are eliminated in some order.
+/// Solves `L Lᵀ x = b` with a factor in the given elimination order.
 pub(crate) fn solved_in(order: &[usize], factor: &Profile, b: &[f64]) -> Vec<f64> {
     let mut ordered: Vec<f64> = order.iter().map(|i| b[*i]).collect();
     factor.solve(&mut ordered);
@@ -188,7 +189,7 @@ pub(crate) fn solved_in(order: &[usize], factor: &Profile, b: &[f64]) -> Vec<f64
     x
 }
 
-/// Zero for what may be rounding, of values whose size is the largest of them, and at least the given one.
+/// Sets values to zero that may be rounding, relative to the largest value and to at least the given size.
 fn without_rounding(values: &mut [f64], size: f64) {
     let most = ROUNDING * values.iter().fold(size, |most, value| most.max(value.abs()));
     values.iter_mut().filter(|value| value.abs() <= most).for_each(|value| *value = 0.0);

@@ -1,15 +1,15 @@
-//! Which variables are free; all others are zero.
+//! The set of free variables; all other variables are zero.
 
 use std::ops::Range;
 
-/// A set of free variables among `x_0 … x_{n−1}`. The others are held at zero.
+/// A set of free variables among `x_0 … x_{n−1}`. The others are fixed at zero.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub struct FreeSet {
     free: Vec<bool>,
 }
 
 impl FreeSet {
-    /// Every one of n variables.
+    /// All of n variables.
     #[must_use]
     pub fn all(n: usize) -> Self {
         Self { free: vec![true; n] }
@@ -33,7 +33,7 @@ impl FreeSet {
         self.free[i]
     }
 
-    /// For each variable whether it is free.
+    /// For each variable, whether it is free.
     pub fn iter(&self) -> impl Iterator<Item = bool> + '_ {
         self.free.iter().copied()
     }
@@ -43,7 +43,7 @@ impl FreeSet {
         self.within(0..self.free.len())
     }
 
-    /// Frees `x_i`, or holds it at zero.
+    /// Frees `x_i`, or fixes it at zero.
     pub fn set(&mut self, i: usize, free: bool) {
         self.free[i] = free;
     }
@@ -53,13 +53,13 @@ impl FreeSet {
         self.free[range].fill(true);
     }
 
-    /// The variables of a range as a set of their own.
+    /// The variables of a range as a separate set.
     #[must_use]
     pub fn part(&self, range: Range<usize>) -> Self {
         Self { free: self.free[range].to_vec() }
     }
 
-    /// Makes the variables from `start` on free or not as those of a smaller set are.
+    /// Copies a smaller set to the variables from `start` on.
     pub(crate) fn replace(&mut self, start: usize, part: &Self) {
         self.free[start..start + part.dimension()].copy_from_slice(&part.free);
     }
@@ -71,7 +71,7 @@ impl FreeSet {
         chunks.flat_map(move |(c, chunk)| (0..chunk.len()).filter(|&k| chunk[k]).map(move |k| start + c * STRIDE + k))
     }
 
-    /// How many variables of a range are free.
+    /// The number of free variables in a range.
     #[must_use]
     pub fn count(&self, range: Range<usize>) -> usize {
         self.free[range].iter().filter(|free| **free).count()
@@ -88,7 +88,7 @@ impl FreeSet {
             .flat_map(|(start, chunk)| (0..chunk.len()).rev().filter(|&k| chunk[k]).map(move |k| start + k))
     }
 
-    /// Runs of neighbours that are free, ascending.
+    /// Runs of neighbouring free variables, ascending.
     pub fn runs(&self) -> impl Iterator<Item = Range<usize>> + '_ {
         let mut end = 0;
         let stretches = self.free.chunk_by(|one, next| one == next).map(move |stretch| {
@@ -105,10 +105,10 @@ impl FromIterator<bool> for FreeSet {
     }
 }
 
-/// Flags that are looked at together: long stretches in which no variable is free are skipped at once.
+/// Flags that are tested together, so that long stretches without a free variable are skipped at once.
 const STRIDE: usize = 256;
 
-/// Whether any of at most [`STRIDE`] flags is set: a comparison of blocks of memory.
+/// Whether any of at most [`STRIDE`] flags is set, by comparing blocks of memory.
 fn any(flags: &[bool]) -> bool {
     flags != &[false; STRIDE][..flags.len()]
 }

@@ -1,25 +1,25 @@
-//! The matrix `A` as numbers, for the solvers that need rows or a list of entries.
+//! The matrix `A` as numbers, for solvers that need rows or a list of entries.
 
 use nalgebra::DMatrix;
 
 use super::Profile;
 use super::profile::dot;
 
-/// A symmetric matrix, stored as it is shaped.
+/// A symmetric matrix, stored according to its shape.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Matrix {
     /// Every entry, shape (n, n).
     Dense(DMatrix<f64>),
-    /// Half bandwidth 2: row `i` holds `a_ii, a_i,i+1, a_i,i+2`, and anything beyond the last column.
+    /// Half bandwidth 2: row `i` contains `a_ii, a_i,i+1, a_i,i+2`, with arbitrary values beyond the last column.
     Pentadiagonal(Vec<[f64; 3]>),
-    /// Rows from their first entry.
+    /// Rows from their first entry to the diagonal.
     Profile(Profile),
 }
 
-/// The upper triangle by columns: `starts` has n + 1 entries, `rows` and `values` one for each stored number.
+/// The upper triangle by columns. `starts` has n + 1 entries, `rows` and `values` one for each stored number.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct UpperColumns {
-    /// Where each column starts in `rows` and `values`.
+    /// Index in `rows` and `values` at which each column starts.
     pub starts: Vec<usize>,
     /// Row of each entry, ascending within a column.
     pub rows: Vec<usize>,
@@ -28,7 +28,7 @@ pub struct UpperColumns {
 }
 
 impl UpperColumns {
-    /// One more column, with nothing but a diagonal entry, if any. There is a first one.
+    /// Appends a column with at most a diagonal entry. At least one column exists already.
     pub(crate) fn push(&mut self, diagonal: Option<f64>) {
         self.rows.extend(diagonal.map(|_| self.starts.len() - 1));
         self.values.extend(diagonal);
@@ -60,17 +60,17 @@ impl Matrix {
         }
     }
 
-    /// The product of row `i` with `x`, that is `(A x)_i`.
+    /// `(A x)_i`, the product of row `i` with `x`.
     #[must_use]
     pub fn row_times(&self, i: usize, x: &[f64]) -> f64 {
         match self {
-            // Columns are contiguous, one after the other, and the matrix is symmetric.
+            // Columns are contiguous, and the matrix is symmetric.
             Self::Dense(a) => dot(&a.as_slice()[i * a.nrows()..][..a.nrows()], x),
             Self::Pentadiagonal(_) | Self::Profile(_) => self.neighbours(i).map(|j| self.entry(i, j) * x[j]).sum(),
         }
     }
 
-    /// Operations that one sweep over all rows takes, as a count of stored entries.
+    /// Operations of one sweep over all rows, as a number of entries.
     #[must_use]
     pub fn entries(&self) -> usize {
         let n = self.dimension();

@@ -8,8 +8,8 @@
 //! optimality   x ≥ 0,  g ≥ 0,  x_i g_i = 0                            (34), (35)
 //! ```
 //!
-//! `A` is symmetric and positive definite, so the optimum exists and is unique; in rare cases it is only semidefinite, and definite
-//! on the sets of free variables that occur. Nothing here depends on what a variable stands for; the optimum is found by
+//! `A` is symmetric and positive definite, so the optimum exists and is unique. In rare cases `A` is only semidefinite, but definite
+//! on the sets of free variables that occur. Nothing here depends on what a variable stands for. The optimum is found by
 //! [`crate::solvers`].
 
 mod band;
@@ -35,7 +35,7 @@ pub trait Qp {
     /// `n`, the number of variables; at least 1.
     fn dimension(&self) -> usize;
 
-    /// The matrix `A`, shape (n, n), banded where it is.
+    /// The matrix `A`, shape (n, n), in banded form if it is banded.
     fn matrix(&self) -> Matrix;
 
     /// The vector `b`, length n: the gradient at zero is `−b`.
@@ -43,40 +43,41 @@ pub trait Qp {
         self.gradient(&vec![0.0; self.dimension()]).iter().map(|g| -g).collect()
     }
 
-    /// The program in the variables in which it is sparse, if it has such.
+    /// The sparse form of the program, if it has one.
     fn sparse(&self) -> Option<SparseForm> {
         None
     }
 
     /// The gradient `g = A x − b` (33), length n.
     ///
-    /// An implementation uses the structure of its problem, so that fewer digits are lost than by the product.
+    /// An implementation uses the structure of its problem, so that it loses fewer digits than the matrix product.
     fn gradient(&self, x: &[f64]) -> Vec<f64>;
 
-    /// Step 1° of the paper's algorithm on the free variables: `g_i = 0` where `x_i` is free, `x_i = 0` elsewhere. A negative
-    /// number that may be nothing but the rounding of this solve is zero, so that every negative sign counts.
+    /// Step 1° of the paper's algorithm on the free variables: `g_i = 0` where `x_i` is free, `x_i = 0` elsewhere. A negative number
+    /// that may be only the rounding of this solve is set to zero, so that every negative sign is significant.
     ///
     /// # Errors
     ///
     /// [`NotPositiveDefinite`] if rounding destroys the definiteness of `A` on the free set.
     fn stationary(&self, free: &FreeSet) -> Result<Stationary, NotPositiveDefinite>;
 
-    /// Unknowns that a [stationary point](Self::stationary) goes through: the variables, or more where a solve costs more for each.
+    /// The number of unknowns as which a [stationary point](Self::stationary) counts: that of the variables, or more if a solve costs
+    /// more per variable.
     fn solve_work(&self) -> usize {
         self.dimension()
     }
 
-    /// Changes which variables are free, if there is no stationary point on those that are, to a set on which there is one with
-    /// `x ≥ 0`: where `A` is only positive semidefinite. Nothing to do for others.
+    /// If the free variables have no stationary point, replaces them by a set that has one with `x ≥ 0`. This can happen only if `A`
+    /// is semidefinite; by default nothing changes.
     fn make_definite(&self, _free: &mut FreeSet) {}
 
-    /// Why there is no matrix `A`, if there is none: where variables have to satisfy equations besides. The
-    /// [sparse form](Self::sparse) has these, and [`stationary`](Self::stationary) keeps them.
+    /// The reason why there is no matrix `A`, if there is none because the variables must also satisfy equations. The
+    /// [sparse form](Self::sparse) contains these equations, and [`stationary`](Self::stationary) satisfies them.
     fn without_matrix(&self) -> Option<&'static str> {
         None
     }
 
-    /// Sizes with which `x` and `g` become dimensionless numbers of order one.
+    /// Sizes that make `x` and `g` dimensionless numbers of order one.
     fn sizes(&self) -> Sizes;
 }
 
@@ -98,9 +99,9 @@ pub struct Sizes {
     pub gradient: f64,
 }
 
-/// How far `(x, g)` is from optimality: `max_i |min(x_i / X, g_i / G)|`, with the [`Sizes`] `X` and `G`.
+/// The distance of `(x, g)` from optimality: `max_i |min(x_i / X, g_i / G)|`, with the [`Sizes`] `X` and `G`.
 ///
-/// Zero if and only if (34), (35) hold. Infinite for NaN, which `max` alone would overlook.
+/// Zero if and only if (34), (35) are satisfied. Infinite for NaN, which `max` alone would ignore.
 #[must_use]
 pub fn residual(sizes: Sizes, x: &[f64], gradient: &[f64]) -> f64 {
     x.iter().zip(gradient).fold(0.0, |worst: f64, (x, g)| {

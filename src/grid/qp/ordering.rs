@@ -1,11 +1,12 @@
-//! In which order the unknowns of a sparse matrix are eliminated: rows from their first entry to the diagonal should be short.
+//! The elimination order of the unknowns of a sparse matrix. Rows should be short from their first entry to the diagonal.
 //!
-//! Rows that meet many others come last (Amestoy, Davis and Duff 1996); the others stay as they are, or follow their neighbours (Cuthill
-//! and McKee 1969, reversed by George 1971). An order is only taken where it saves half of all products, so that a banded matrix keeps its own.
+//! Rows coupled to many others come last (Amestoy, Davis and Duff 1996). The others keep their order, or follow their neighbours
+//! (Cuthill and McKee 1969, reversed by George 1971). A new order is used only if it saves half of all products, so that a banded
+//! matrix keeps its own.
 
 use super::Profile;
 
-/// A row that meets more than this many times `√n` others counts as full (Amestoy, Davis and Duff 1996).
+/// A row coupled to more than this many times `√n` others counts as full (Amestoy, Davis and Duff 1996).
 const FULL: f64 = 10.0;
 
 /// The neighbours of each unknown.
@@ -39,7 +40,7 @@ impl Graph {
         self.start[i + 1] - self.start[i]
     }
 
-    /// Products that a factorisation takes in some order, about, as [`Profile::products`] counts them.
+    /// Approximate number of products of a factorisation in the given order, counted as in [`Profile::products`].
     fn products(&self, order: &[usize]) -> usize {
         let mut place = vec![0; order.len()];
         order.iter().enumerate().for_each(|(k, i)| place[*i] = k);
@@ -50,7 +51,8 @@ impl Graph {
         order.iter().enumerate().map(length).map(|w| w * w / 2 + w).sum()
     }
 
-    /// Unknowns that can be reached from one, each after the neighbour by which it is reached; those of few neighbours first.
+    /// The unknowns that can be reached from one unknown, each after the neighbour from which it is reached. Neighbours with few
+    /// neighbours come first.
     fn reached_from(&self, from: usize, is_open: &mut [bool]) -> Vec<usize> {
         let mut reached = vec![from];
         is_open[from] = false;
@@ -65,7 +67,7 @@ impl Graph {
         reached
     }
 
-    /// Neighbours one after the other, those of `rest` alone.
+    /// The unknowns of `rest`, ordered so that neighbours follow each other.
     fn along(&self, rest: &[usize]) -> Vec<usize> {
         let mut is_open = vec![false; self.start.len() - 1];
         rest.iter().for_each(|i| is_open[*i] = true);
@@ -74,7 +76,7 @@ impl Graph {
             if !is_open[*i] {
                 continue;
             }
-            // From the far end of what hangs together, found by a first walk.
+            // Starts at the far end of the connected part, which a first walk finds.
             let far = self.reached_from(*i, &mut is_open.clone()).last().copied().unwrap_or(*i);
             order.extend(self.reached_from(far, &mut is_open));
         }
@@ -88,7 +90,7 @@ pub(super) fn elimination_order(matrix: &Profile) -> Vec<usize> {
     let n = matrix.dimension();
     let own: Vec<usize> = (0..n).collect();
     let products = matrix.products();
-    // A narrow band has no better order, and neither has a matrix that is full.
+    // Neither a narrow band nor a full matrix has a better order.
     let [few, many] = [16 * n, n * n / 8];
     if products <= few || many < matrix.entries().count() {
         return own;
@@ -107,7 +109,7 @@ pub(super) fn elimination_order(matrix: &Profile) -> Vec<usize> {
 mod tests {
     use super::*;
 
-    /// A chain that meets its first unknown everywhere, and one that is numbered to and fro: both are eliminated without filling.
+    /// A chain coupled to its first unknown everywhere, and a chain with scrambled numbers: both are eliminated without fill.
     #[test]
     fn arrows_and_shuffled_chains_are_narrow() {
         let n = 400;

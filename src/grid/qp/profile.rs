@@ -1,6 +1,6 @@
 //! A symmetric matrix by rows, each from its first entry to the diagonal: banded, dense or anything between.
 //!
-//! Cholesky's factors `L Lᵀ` fill exactly the same places, so that a row of `w` numbers costs `w²/2` products.
+//! Cholesky's factor `L` of `L Lᵀ` fills exactly the same entries, so that a row of `w` numbers costs `w²/2` products.
 
 use std::ops::Range;
 
@@ -12,7 +12,7 @@ use crate::double::Double;
 pub struct Profile {
     /// Column of the first entry of each row.
     first: Vec<usize>,
-    /// Where each row starts in `values`; n + 1 entries.
+    /// Index in `values` at which each row starts; n + 1 entries.
     start: Vec<usize>,
     /// Row of the last entry of each column.
     last: Vec<usize>,
@@ -20,7 +20,7 @@ pub struct Profile {
 }
 
 impl Profile {
-    /// The matrix of some entries `(i, j, a_ij)`, of which each place on or below the diagonal has one at most.
+    /// The matrix with the given entries `(i, j, a_ij)`, on or below the diagonal and each given at most once.
     #[must_use]
     pub fn of_entries(n: usize, entries: impl Iterator<Item = (usize, usize, f64)> + Clone) -> Self {
         let mut first: Vec<usize> = (0..n).collect();
@@ -30,7 +30,7 @@ impl Profile {
         matrix
     }
 
-    /// Zeros in rows that begin in these columns.
+    /// A zero matrix whose rows begin in these columns.
     fn zero(first: Vec<usize>) -> Self {
         let mut start = vec![0];
         first.iter().enumerate().for_each(|(i, first)| start.push(start[i] + i + 1 - first));
@@ -39,7 +39,7 @@ impl Profile {
         Self { values: vec![0.0; start[first.len()]], first, start, last }
     }
 
-    /// The matrix with all entries of a lower triangle.
+    /// The full matrix with the given entries of the lower triangle.
     #[must_use]
     pub fn full(n: usize, entry: impl Fn(usize, usize) -> f64) -> Self {
         let mut matrix = Self::zero(vec![0; n]);
@@ -47,7 +47,7 @@ impl Profile {
         matrix
     }
 
-    /// The sum of two matrices, and what is rounded off it, exactly.
+    /// The sum of two matrices, and its rounding error, exactly.
     #[must_use]
     pub fn sum(&self, other: &Self) -> [Self; 2] {
         let first: Vec<usize> = self.first.iter().zip(&other.first).map(|(a, b)| *a.min(b)).collect();
@@ -68,13 +68,13 @@ impl Profile {
         self.first.len()
     }
 
-    /// Numbers that are stored.
+    /// Number of stored numbers.
     #[must_use]
     pub fn numbers(&self) -> usize {
         self.values.len()
     }
 
-    /// Products that a factorisation takes, about.
+    /// Approximate number of products of a factorisation.
     #[must_use]
     pub fn products(&self) -> usize {
         self.rows().map(|(_, row)| row.len() * row.len() / 2 + row.len()).sum()
@@ -104,18 +104,18 @@ impl Profile {
         self.first[i]..self.last[i] + 1
     }
 
-    /// The rows with the column in which each begins.
+    /// All rows, each with the column in which it begins.
     fn rows(&self) -> impl Iterator<Item = (usize, &[f64])> {
         (0..self.dimension()).map(|i| (self.first[i], self.row(i)))
     }
 
-    /// Entries that are not zero, by rows.
+    /// Non-zero entries, by rows.
     pub(crate) fn entries(&self) -> impl Iterator<Item = (usize, usize, f64)> + Clone + '_ {
         let of_row = |i: usize| (self.first[i]..).zip(self.row(i)).map(move |(j, a)| (i, j, *a));
         (0..self.dimension()).flat_map(of_row).filter(|(_, _, a)| *a != 0.0)
     }
 
-    /// Some rows and their columns, in the order in which they are chosen, with `shift` taken from the diagonal.
+    /// The chosen rows and columns, in the given order, with `shift` subtracted from the diagonal.
     #[must_use]
     pub fn part(&self, chosen: &[usize], shift: f64) -> Self {
         let mut place = vec![None; self.dimension()];
@@ -140,8 +140,8 @@ impl Profile {
     ///
     /// [`NotPositiveDefinite`] if a pivot is not positive.
     pub(crate) fn cholesky(mut self) -> Result<Self, NotPositiveDefinite> {
-        /// Rows that go together: each row above them is read from memory once for all of them. Four of 3000 numbers are 96 kB,
-        /// which stay in the cache of a core.
+        /// Rows treated together: each row above them is read from memory once for all of them. Four rows of 3000 numbers are 96 kB,
+        /// which fit into the cache of a core.
         const ROWS: usize = 4;
         let (n, first, start) = (self.dimension(), &self.first, &self.start);
         for from in (0..n).step_by(ROWS) {
@@ -164,7 +164,7 @@ impl Profile {
                 }
                 let (before, pivot) = row[..=i - first[i]].split_at_mut(i - first[i]);
                 pivot[0] -= dot(before, before);
-                // Also refuses NaN.
+                // Also rejects NaN.
                 if !(0.0 < pivot[0] && pivot[0] < f64::INFINITY) {
                     return Err(NotPositiveDefinite { index: i, pivot: pivot[0] });
                 }
@@ -174,7 +174,7 @@ impl Profile {
         Ok(self)
     }
 
-    /// Solves `L Lᵀ x = b` in place, this being `L`.
+    /// Solves `L Lᵀ x = b` in place, where `self` is `L`.
     pub fn solve(&self, b: &mut [f64]) {
         for (i, (first, row)) in self.rows().enumerate() {
             let (before, pivot) = row.split_at(i - first);
@@ -199,7 +199,7 @@ impl Profile {
         product
     }
 
-    /// Adds `A x` to some sums.
+    /// Adds `A x` to sums.
     pub(crate) fn times_into(&self, x: &[Double], sums: &mut Sums) {
         for (i, (first, row)) in self.rows().enumerate() {
             for (j, &a) in (first..).zip(row).filter(|(_, a)| **a != 0.0) {
@@ -211,7 +211,7 @@ impl Profile {
         }
     }
 
-    /// For each row the sum of `part(i, j, a_ij)` over all its columns, those beyond the diagonal as well.
+    /// For each row the sum of `part(i, j, a_ij)` over all its columns, including those beyond the diagonal.
     pub(crate) fn row_sums(&self, part: impl Fn(usize, usize, f64) -> f64) -> Vec<f64> {
         let mut sums = vec![0.0; self.dimension()];
         for (i, (first, row)) in self.rows().enumerate() {
@@ -227,9 +227,10 @@ impl Profile {
     }
 }
 
-/// A sum of as many products as `a` has numbers, in a fixed order, several at a time: the same bits on every processor.
+/// The scalar product over the length of `a`, in a fixed order and several terms at a time, so that the bits are the same on every
+/// processor.
 pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    /// Twice as many numbers of 64 bits as common processors add at once, since additions of one sum depend on each other.
+    /// Twice the number of 64-bit numbers that common processors add at once, because the additions of one sum depend on each other.
     const LANES: usize = 8;
     let (a, b) = (a.chunks_exact(LANES), b[..a.len()].chunks_exact(LANES));
     let rest: f64 = a.remainder().iter().zip(b.remainder()).map(|(a, b)| a * b).sum();
@@ -240,43 +241,43 @@ pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     sums.iter().sum::<f64>() + rest
 }
 
-/// Sums of products `a · x` in twice the precision, with a bound on what is rounded off each of them.
+/// Sums of products `a · x` in twice the precision, with a bound on the rounding error of each.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Sums {
     pub(crate) values: Vec<Double>,
-    /// Magnitudes of all terms.
+    /// Sum of the magnitudes of all terms.
     sizes: Vec<f64>,
-    /// How many terms.
+    /// Number of terms.
     terms: Vec<f64>,
-    /// What the first term may have been off.
+    /// Bound on the error of the first term.
     before: Vec<f64>,
 }
 
 impl Sums {
-    /// What a step of a sum rounds off at most, as a share of the magnitudes of its terms so far.
+    /// Bound on the rounding error of one step of a sum, relative to the magnitudes of its terms so far.
     ///
-    /// In [`Double::times_plus`] six operations round, each on numbers of at most `4 · 2⁻⁵³` of product and sum: below
-    /// `13 · 2⁻¹⁰⁶`. The rest, a factor of 5, covers that magnitudes are themselves rounded.
+    /// In [`Double::times_plus`] six operations round, each on numbers of at most `4 · 2⁻⁵³` of product and sum: below `13 · 2⁻¹⁰⁶`.
+    /// The remaining factor of 5 covers the rounding of the magnitudes themselves.
     pub(crate) const STEP: f64 = 1.0 / ((1_u128 << 100) as f64);
 
-    /// Nothing yet.
+    /// Empty sums.
     pub(crate) fn zero(n: usize) -> Self {
         Self { values: vec![Double::ZERO; n], sizes: vec![0.0; n], terms: vec![0.0; n], before: vec![0.0; n] }
     }
 
-    /// One more product.
+    /// Adds a product to sum `i`.
     pub(crate) fn add(&mut self, i: usize, a: f64, x: Double) {
         self.values[i] = x.times_plus(a, self.values[i]);
         self.sizes[i] += (a * x.rounded()).abs();
         self.terms[i] += 1.0;
     }
 
-    /// What sum `i` is off at most; products below the range of 64 bits lose digits beside it.
+    /// Bound on the error of sum `i`. The second term covers products below the range of 64 bits, which lose digits.
     pub(crate) fn off(&self, i: usize) -> f64 {
         self.before[i] + self.terms[i] * (self.sizes[i] * Self::STEP + f64::MIN_POSITIVE)
     }
 
-    /// Sums that begin with these, less than zero.
+    /// New sums that begin with the negatives of these.
     pub(crate) fn negative(&self) -> Self {
         let n = self.values.len();
         Self {
@@ -297,7 +298,7 @@ impl Sums {
 mod tests {
     use super::*;
 
-    /// `[[4, 2, 0], [2, 5, 2], [0, 2, 5]]`, all pivots being 4, times (1, 2, 3).
+    /// `[[4, 2, 0], [2, 5, 2], [0, 2, 5]]`, whose pivots are all 4, times (1, 2, 3).
     #[test]
     fn factors_and_products_of_a_small_matrix_are_exact() {
         let entries = [(0, 0, 4.0), (1, 0, 2.0), (1, 1, 5.0), (2, 1, 2.0), (2, 2, 5.0)];
@@ -318,7 +319,7 @@ mod tests {
         assert_eq!(error, NotPositiveDefinite { index: 0, pivot: -0.5 });
     }
 
-    /// `a_ij = min(i, j)` from 1 has the factor of ones: rows of all lengths about the eight products that go together.
+    /// `a_ij = min(i, j)` from 1 has a factor of ones. The lengths of its rows lie around the eight products that are summed together.
     #[test]
     fn long_rows_are_factored_exactly() {
         let whole = |i: usize| f64::from(u32::try_from(i).expect("small"));

@@ -1,13 +1,13 @@
-//! A quadratic program in the variables in which it is sparse, for solvers that take sparse matrices and equations.
+//! The sparse form of a quadratic program, for solvers that accept sparse matrices and equations.
 //!
 //! ```text
 //! minimise ½ zᵀ P z + cᵀ z   subject to   E z = e,  z_k ≥ 0 for k ≥ s
 //!           (m,m)    (m)                  (r,m) (r)
 //! ```
 //!
-//! The variables `z_s … z_{m−1}` are those of the program (32), `x_i = X z_{s+i}`, and the multipliers of their signs are
-//! its gradient, `g_i = G μ_i`; the variables before them are free and have no meaning for (32). Eliminating them by the
-//! equations would give the matrix `A`, full or banded, with its condition number.
+//! The variables `z_s … z_{m−1}` are those of the program (32), `x_i = X z_{s+i}`, and the multipliers of their signs are its
+//! gradient, `g_i = G μ_i`. The variables before them are free and have no meaning for (32). Eliminating them by the equations would
+//! give the matrix `A`, full or banded, with its condition number.
 
 use super::{Qp, Sizes, UpperColumns};
 
@@ -22,13 +22,13 @@ pub struct SparseForm {
     pub equations: Vec<Vec<(usize, f64)>>,
     /// `e`, length r.
     pub right: Vec<f64>,
-    /// `s`, the first of the n variables with a sign; `m = s + n`.
+    /// `s`, the first of the n variables with a sign constraint; `m = s + n`.
     pub signed: usize,
     /// `X` and `G`.
     pub sizes: Sizes,
 }
 
-/// What the libraries ask of a form before they have it.
+/// Checks of a form before it is passed to a library.
 #[cfg(any(feature = "clarabel", feature = "osqp"))]
 impl SparseForm {
     /// All numbers of the form.
@@ -43,13 +43,13 @@ impl SparseForm {
         self.numbers().all(f64::is_finite)
     }
 
-    /// Whether all numbers are of a magnitude less than `limit`.
+    /// Whether all numbers have a magnitude below `limit`.
     #[must_use]
     pub(crate) fn is_within(&self, limit: f64) -> bool {
         self.numbers().all(|number| number.abs() < limit)
     }
 
-    /// Whether the diagonal of `P` alone shows that there need not be a minimum.
+    /// Whether the diagonal of `P` alone shows that a minimum need not exist.
     #[must_use]
     pub(crate) fn has_negative_diagonal(&self) -> bool {
         let UpperColumns { starts, rows, values } = &self.quadratic;
@@ -73,8 +73,8 @@ impl SparseForm {
         }
     }
 
-    /// What `z`, with multipliers `y` of the equations, leaves of them and of the gradient: `E z − e`, length r, and
-    /// `P z + c + Eᵀ y`, length m, from terms of which `part` is taken: all of them as they are, or their magnitudes.
+    /// The residuals of `z` and of the multipliers `y` of the equations: `E z − e`, length r, and `P z + c + Eᵀ y`, length m. `part`
+    /// is applied to every term: the identity for the residuals, or the magnitude for the size of their terms.
     #[must_use]
     pub fn left(&self, z: &[f64], y: &[f64], part: fn(f64) -> f64) -> [Vec<f64>; 2] {
         let mut equations: Vec<f64> = self.right.iter().map(|e| part(-e)).collect();
@@ -98,8 +98,8 @@ impl SparseForm {
         [equations, gradient]
     }
 
-    /// Equations and signs as the rows of one matrix by columns: `E` above, below it `sign` times the unit vectors of the
-    /// variables with a sign. Starts, rows and values.
+    /// Equations and sign constraints as the rows of one matrix by columns. `E` is above, and below it `sign` times the unit vectors
+    /// of the variables with a sign constraint. Returns starts, rows and values.
     #[must_use]
     pub fn constraints(&self, sign: f64) -> (Vec<usize>, Vec<usize>, Vec<f64>) {
         let (mut starts, mut rows, mut values) = (vec![0], Vec::new(), Vec::new());

@@ -1,33 +1,33 @@
-//! An active set that goes on where the paper's four steps stop, and always ends.
+//! An active-set solver that continues where the paper's four steps stop, and always ends.
 //!
-//! The four steps drop variables one by one and never release one. Here variables are also released where the gradient is
-//! negative, and many change at a time.
+//! The four steps drop variables one by one and never release any. This solver also releases variables whose gradient is negative,
+//! and changes many at a time.
 //!
-//! **Exchanges.** From one set of free variables to the next all those that came out negative are dropped, and of each run of
-//! neighbours with a negative gradient the steepest one is released, as long as runs on the wrong side become fewer, or a few
-//! times in all. Ten exchanges settle most of a set. The rest cycles, at a few places.
+//! **Exchanges.** An exchange drops all free variables that came out negative. Of each run of neighbours with a negative gradient it
+//! releases the steepest one. Exchanges continue as long as the runs on the wrong side become fewer, and a few times in all if they
+//! do not. Ten exchanges settle most of a set. The rest of the set cycles, at a few places.
 //!
-//! **Descent.** From there on the objective falls from one minimum on a set of free variables, a face, to the next:
+//! **Descent.** After that the objective decreases from one face minimum to the next, where a face is a set of free variables:
 //!
-//! 1. *Feasible*: solve step 1° on the face, drop of each run of neighbours that came out negative the most negative one,
-//!    and again, until none does.
-//! 2. *Release*: of each run of neighbours with a negative gradient the steepest one, and make that feasible as in 1. A run
-//!    as a whole would be far too much: most of it would be on the wrong side next.
-//! 3. *Walk*, if the objective is not lower after 2: from the point before the release towards the minimum on the larger
-//!    face, leaving that face where a variable reaches zero on the way, as Lawson and Hanson do.
+//! 1. *Feasible*: solve step 1° on the face, drop the most negative variable of each run of neighbours that came out negative, and
+//!    repeat until none does.
+//! 2. *Release*: release the steepest variable of each run of neighbours with a negative gradient, and make the face feasible as
+//!    before. Releasing whole runs would be far too much: most of a run would be on the wrong side next.
+//! 3. *Walk*, if the objective is not lower after 2: from the point before the release towards the minimum on the larger face,
+//!    leaving that face where a variable reaches zero on the way, as Lawson and Hanson do.
 //!
-//! Where the matrix is only semidefinite, a walk comes to corners at which no smaller face has a solution. Of the variables that
-//! reach zero together there, those stay in the set, at zero, without which the rest has none.
+//! If the matrix is only semidefinite, a walk comes to corners at which no smaller face has a solution. Of the variables that reach
+//! zero together there, those without which the rest has no solution stay in the set, at zero.
 //!
-//! *It ends.* A face shrinks in 1, so that 1 ends; but where the matrix is only semidefinite and no solution is left on the
-//! smaller face, 1 begins again on one that has a solution ([`Qp::make_definite`]), and only the limit on the number of
-//! solves ends it. The objective falls strictly from one round to the next: in 2 by comparison, and in 3 because the point
-//! before is the minimum on its own face, from which a released variable with a negative gradient leads down, and the last
-//! one that is left of them cannot come out negative. Each round ends at a feasible face minimum, no face is met twice, there
-//! are finitely many, and where no gradient is negative the optimum is reached. In floating-point arithmetic a descent may be
-//! smaller than rounding: then the limit on the number of solves ends it, and the answer is not called optimal.
+//! *It ends.* A face shrinks in 1, so that 1 ends. There is one exception. If the matrix is only semidefinite and the smaller face
+//! has no solution, 1 begins again on a face that has one ([`Qp::make_definite`]). Then only the limit on the number of solves ends
+//! it. The objective strictly decreases from one round to the next: in 2 by comparison, and in 3 for the following reason. The point
+//! before is the minimum on its own face. A released variable with a negative gradient leads down from it, and the last of the
+//! released variables that is left cannot come out negative. Each round ends at a feasible face minimum and no face occurs twice.
+//! There are finitely many faces, and the optimum is reached where no gradient is negative. In floating-point arithmetic a decrease
+//! may be smaller than rounding. The limit on the number of solves then ends the descent, and the answer is not called optimal.
 //!
-//! The two objectives are not computed, since their difference would cancel. On a face minimum `x_i g_i = 0`, so that
+//! The two objectives are not computed, because their difference would cancel. At a face minimum `x_i g_i = 0`, so that
 //!
 //! ```text
 //! f(x₂) − f(x₁) = ½ (g₁ + g₂)ᵀ (x₂ − x₁) = ½ (g₁ᵀ x₂ − g₂ᵀ x₁)
@@ -35,7 +35,7 @@
 //!
 //! and only variables that were released or dropped contribute.
 //!
-//! *Ties*, `x_i = 0` and `g_i = 0` but for the rounding of a [solve](Qp::stationary), stay on the side where they are.
+//! *Ties*, `x_i = 0` and `g_i = 0` up to the rounding of a [solve](Qp::stationary), stay on the side where they are.
 
 // Discrepancy: beyond-four-steps
 //
@@ -45,17 +45,17 @@
 use super::{Answer, MOST_WORK, Run};
 use crate::qp::{FreeSet, NotPositiveDefinite, Qp, Stationary};
 
-/// Exchanges go on while the runs on the wrong side are fewer by this part than ever before.
+/// Exchanges continue while the number of runs on the wrong side falls by this part, `1/FEWER`, below its minimum so far.
 const FEWER: usize = 10;
 
-/// Exchanges in all that need not leave fewer runs on the wrong side: the second one may undo part of the first.
+/// Total number of exchanges that need not reduce the runs on the wrong side. The second exchange may undo part of the first.
 pub(crate) const PATIENCE: usize = 5;
 
-/// Solves that only rounding can need: so many, and as many for each variable. Of the slowest known instances some take a few
-/// hundred, and two thousand where all variables change together.
+/// Limit on the solves of a descent, which only rounding can exceed: this many, and this many per variable. Of the slowest known
+/// instances some need a few hundred, and two thousand where all variables change together.
 const EXHAUSTED: [usize; 2] = [200, 20];
 
-/// What it is set to.
+/// The settings as text.
 pub(super) fn settings_text() -> String {
     format!(
         "exchanges, then a descent; a sign counts if it is larger than the rounding of a solve; a budget of {} million unknowns \
@@ -64,7 +64,7 @@ pub(super) fn settings_text() -> String {
     )
 }
 
-/// Solves with every variable free at first, as the paper's algorithm does.
+/// Solves with every variable free at first, like the paper's algorithm.
 pub(super) fn solve(qp: &dyn Qp) -> Answer {
     solve_from(qp, FreeSet::all(qp.dimension()))
 }
@@ -80,7 +80,7 @@ pub(super) fn solve_from(qp: &dyn Qp, mut free: FreeSet) -> Answer {
     answer(end, qp.dimension(), solves, solves * qp.solve_work())
 }
 
-/// How a run ended.
+/// The answer for the end of a run.
 pub(crate) fn answer(
     end: Result<(Stationary, bool), NotPositiveDefinite>,
     n: usize,
@@ -103,9 +103,9 @@ pub(crate) fn answer(
     }
 }
 
-/// The optimum by exchanges. Where one does not leave fewer runs, `stalled` is called with the variables on the wrong side; it may
-/// change which are free, and returns whether to go on with exchanges. If not, a descent follows. Returns the point, and whether
-/// nothing is on the wrong side, which it may not be after the most solves; `solves` counts.
+/// The optimum by exchanges. After an exchange without fewer runs, `stalled` is called with the variables on the wrong side. It may
+/// change the free set, and returns whether to continue with exchanges. If not, a descent follows. Returns the point, and whether no
+/// variable is on the wrong side, which is not certain once the limit on solves is reached. `solves` counts the solves.
 pub(crate) fn optimum(
     reduced: &mut Reduced<'_>,
     free: &mut FreeSet,
@@ -134,7 +134,7 @@ pub(crate) fn optimum(
     }
 }
 
-/// Drops the free ones of some variables on the wrong side, and releases of each run of the others the one with the smallest
+/// Drops those of the variables on the wrong side that are free. Of each run of the others, releases the one with the smallest
 /// gradient. Variables and gradients count from `start`.
 pub(crate) fn exchange(free: &mut FreeSet, start: usize, wrong: &[usize], gradient: &[f64]) {
     wrong.iter().for_each(|&k| free.set(start + k, false));
@@ -144,18 +144,18 @@ pub(crate) fn exchange(free: &mut FreeSet, start: usize, wrong: &[usize], gradie
 /// Step 1° of the paper's algorithm, see [`Qp::stationary`].
 pub(crate) type PointOn<'a> = Box<dyn FnMut(&FreeSet) -> Result<Stationary, NotPositiveDefinite> + 'a>;
 
-/// The part of a quadratic program that is used here: the stationary point for some free variables. It may be a part of another
-/// one, with the variables of that part alone.
+/// The part of a quadratic program that is used here: the stationary point for a set of free variables. It may represent part of a
+/// larger program, with the variables of that part only.
 pub(crate) struct Reduced<'a> {
     pub(crate) point: PointOn<'a>,
-    /// As that of [`Qp`].
+    /// See [`Qp::make_definite`].
     pub(crate) make_definite: Box<dyn Fn(&mut FreeSet) + 'a>,
-    /// Solves after which a run ends wherever it is.
+    /// Number of solves after which a run ends in any case.
     pub(crate) most_solves: usize,
 }
 
 impl<'a> Reduced<'a> {
-    /// All of a quadratic program.
+    /// The whole of a quadratic program.
     pub(super) fn of(qp: &'a dyn Qp) -> Self {
         let most_solves = solves_within(MOST_WORK, qp.solve_work());
         Self {
@@ -166,14 +166,14 @@ impl<'a> Reduced<'a> {
     }
 }
 
-/// How many solves of `n` unknowns use up `work`.
+/// The number of solves of `n` unknowns that use up `work`.
 pub(crate) fn solves_within(work: usize, n: usize) -> usize {
     work.div_ceil(n.max(1))
 }
 
-/// Variables on the wrong side at a point: free ones that are negative, and those at zero with a negative gradient.
+/// The variables on the wrong side at a point: free variables that are negative, and variables fixed at zero with a negative gradient.
 pub(crate) fn violators(point: &Stationary, free: &FreeSet) -> Vec<usize> {
-    /// As a rule they are none or few.
+    /// Usually there are no violators, or few.
     const FEW: usize = 32;
     let mut wrong = Vec::new();
     for (k, ((x, slope), free)) in point.x.iter().zip(&point.gradient).zip(free.iter()).enumerate() {
@@ -187,16 +187,17 @@ pub(crate) fn violators(point: &Stationary, free: &FreeSet) -> Vec<usize> {
     wrong
 }
 
-/// Of each run of neighbours with a negative value the one with the smallest: of gradients, those to release.
+/// The variable with the smallest value of each run of neighbours with negative values. For gradients, these are the variables to
+/// release.
 pub(super) fn steepest(variables: &[usize], values: &[f64]) -> Vec<usize> {
     let mut steepest = Vec::new();
     each_steepest(variables, values, |k| steepest.push(k));
     steepest
 }
 
-/// The same one by one.
+/// The same, one variable at a time.
 fn each_steepest(variables: &[usize], values: &[f64], mut visit: impl FnMut(usize)) {
-    // Of a run that goes on: the last one, and the one with the smallest value.
+    // The current run: its last variable, and the variable with its smallest value.
     let mut run: Option<[usize; 2]> = None;
     for &k in variables.iter().filter(|&&k| values[k] < 0.0) {
         run = Some(match run {
@@ -210,7 +211,8 @@ fn each_steepest(variables: &[usize], values: &[f64], mut visit: impl FnMut(usiz
     run.into_iter().for_each(|[_, least]| visit(least));
 }
 
-/// Changes the free variables until the point is optimal. Returns it, and whether nothing is on the wrong side; `solves` counts.
+/// Changes the free variables until the point is optimal. Returns the point, and whether no variable is on the wrong side. `solves`
+/// counts the solves.
 pub(crate) fn descend(
     reduced: &mut Reduced<'_>,
     free: &mut FreeSet,
@@ -242,8 +244,8 @@ pub(crate) fn descend(
     }
 }
 
-/// Drops the most negative of each run until nothing comes out negative, or until `most` solves are made: where variables
-/// that are negative by rounding are all that makes the problem definite, they are dropped and put back for ever.
+/// Drops the most negative variable of each run until none is negative, or until `most` solves are made. The limit is needed where
+/// only variables that are negative by rounding make the problem definite: they are dropped and put back for ever.
 fn feasible(
     reduced: &mut Reduced<'_>,
     free: &mut FreeSet,
@@ -262,8 +264,8 @@ fn feasible(
     }
 }
 
-/// Walks from a feasible point to the minimum on a larger face, leaving it where a variable reaches zero on the way. After the most
-/// solves it returns the minimum on the face, feasible or not.
+/// Walks from a feasible point to the minimum on a larger face, leaving that face where a variable reaches zero on the way. At the
+/// limit on solves it returns the minimum on the face, feasible or not.
 fn walk(
     reduced: &mut Reduced<'_>,
     from: Stationary,
@@ -288,7 +290,7 @@ fn walk(
     }
 }
 
-/// Frees or drops variables, but the last ones of them not where the face would have no solution. Returns how many it changed.
+/// Frees or drops variables. Leaves out the last of them if the face would otherwise have no solution. Returns how many it changed.
 fn set_definite(reduced: &Reduced<'_>, free: &mut FreeSet, variables: &[usize], to: bool) -> usize {
     let is_definite = |free: &FreeSet| {
         let mut definite = free.clone();
@@ -304,7 +306,7 @@ fn set_definite(reduced: &Reduced<'_>, free: &mut FreeSet, variables: &[usize], 
     changed
 }
 
-/// By how much the objective changes from one face minimum to another.
+/// The change of the objective from one face minimum to another.
 fn change(from: &Stationary, to: &Stationary) -> f64 {
     let terms = from.x.iter().zip(&from.gradient).zip(to.x.iter().zip(&to.gradient));
     0.5 * terms.map(|((x, g), (next_x, next_g))| g * next_x - next_g * x).sum::<f64>()
@@ -315,7 +317,7 @@ mod tests {
     use super::*;
     use crate::qp::{Explicit, Profile};
 
-    /// A chain on rough ground, of which many variables have to be dropped and released again.
+    /// A chain in which many variables have to be dropped and released again.
     fn chain(n: usize) -> Explicit {
         let entry = |i: usize, j: usize| match i.abs_diff(j) {
             0 => 6.0,
@@ -327,7 +329,7 @@ mod tests {
         Explicit::new(Profile::full(n, entry), &linear).expect("positive definite")
     }
 
-    /// By exchanges and by a descent, whatever the limit is: a step that has begun makes at most two solves more.
+    /// By exchanges and by a descent, for every limit: a step that has begun makes at most two more solves.
     #[test]
     fn a_run_ends_at_its_limit_of_solves() {
         for n in [20, 40, 70] {

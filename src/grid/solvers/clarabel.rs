@@ -1,11 +1,11 @@
-//! The interior-point library `clarabel` (Goulart and Chen 2024): translation to its form and back, nothing else.
+//! The interior-point library `clarabel` (Goulart and Chen 2024): only translation to its form and back.
 //!
 //! ```text
 //! minimise ½ zᵀ P z + cᵀ z   subject to   E z + 0 = e,   −z_k + s_k = 0, s ≥ 0 for the variables with a sign
 //! ```
 //!
-//! in the [sparse form](crate::qp::SparseForm) of a program, or that of its matrix if it has no other. The multipliers of
-//! the signs are the gradient.
+//! in the [sparse form](crate::qp::SparseForm) of a program, or the form of its matrix if it has no other. The multipliers of the
+//! sign constraints are the gradient.
 
 use ::clarabel::algebra::CscMatrix;
 use ::clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, SolverStatus, ZeroConeT};
@@ -13,13 +13,13 @@ use ::clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, NonnegativeCo
 use super::{Answer, OwnResidual, Run, sparse_form};
 use crate::qp::{Qp, UpperColumns};
 
-/// What the library adds to the diagonal before it factorises; it is taken back by refinement.
+/// The library adds this to the diagonal before it factorises, and compensates for it by refinement.
 const REGULARISATION: f64 = 1e-10;
 
-/// Its own tolerance.
+/// The tolerance of the library.
 ///
-/// The residual min(x, g) of a pair is bounded by the square root of its product, and the gap is a sum of products: the gap has
-/// to go below the tolerance of the residual. 1e-15 is the least that the library reaches reliably.
+/// The residual min(x, g) of a pair is bounded by the square root of its product, and the gap is a sum of such products. So the gap
+/// must fall below the tolerance of the residual. 1e-15 is the smallest value that the library reaches reliably.
 pub(super) fn own_tolerance(asked: f64) -> f64 {
     (1e-5 * asked).max(1e-15)
 }
@@ -33,23 +33,23 @@ fn settings(tolerance: f64) -> DefaultSettings<f64> {
         tol_gap_abs: tolerance,
         tol_gap_rel: tolerance,
         tol_feas: tolerance,
-        // "AlmostSolved" shall not mean less than "Solved" with the defaults of the library.
+        // "AlmostSolved" must not mean less than "Solved" with the defaults of the library.
         reduced_tol_gap_abs: 1e-8,
         reduced_tol_gap_rel: 1e-8,
         reduced_tol_feas: 1e-8,
-        // The program is dimensionless already, and equilibration would shift the meaning of the tolerances.
+        // The program is dimensionless already, and equilibration would change the meaning of the tolerances.
         equilibrate_enable: false,
-        // With the default of 1e-8 the equations of 3000 intervals and more are too soft; with 1e-12 those of 30 000 too
-        // hard for a factorisation without pivoting.
+        // With the default of 1e-8 the equations of 3000 intervals and more are too soft. With 1e-12 those of 30 000 are too hard for
+        // a factorisation without pivoting.
         static_regularization_constant: REGULARISATION,
-        // One thread and one factorisation, so that the same bits come out on every run.
+        // One thread and one factorisation, so that every run gives the same bits.
         max_threads: 1,
         direct_solve_method: "qdldl".to_owned(),
         ..DefaultSettings::default()
     }
 }
 
-/// What it is set to.
+/// The settings as text.
 pub(super) fn settings_text(tolerance: f64) -> String {
     let set = settings(tolerance);
     format!(
@@ -93,7 +93,8 @@ pub(super) fn solve(qp: &dyn Qp, tolerance: f64) -> Answer {
     }
 }
 
-/// Whether a status is that of an optimum to the given tolerance; almost is not. The answer is checked whatever the status is.
+/// Whether a status means an optimum to the given tolerance; an almost solved status does not. The answer is checked whatever the
+/// status is.
 fn reports_success(status: SolverStatus) -> bool {
     match status {
         SolverStatus::Solved => true,
@@ -117,7 +118,7 @@ mod tests {
 
     #[test]
     fn one_word_of_twelve_claims_success() {
-        // By their numbers; the match above has no wildcard, so that one more does not compile unnoticed.
+        // In the order of their numbers. The match above has no wildcard, so a new status does not compile unnoticed.
         let claims = [
             (SolverStatus::Unsolved, false),
             (SolverStatus::Solved, true),

@@ -7,11 +7,11 @@
 //! 4°  go to 1°
 //! ```
 //!
-//! Where `A` is only semidefinite there is no `x` to begin with. A step 0° of ours then sets all variables to zero but those of a
-//! set on which there is a solution.
+//! If `A` is only semidefinite, there may be no `x` to begin with. We then add a step 0°. It fixes variables at zero so that a
+//! solution exists for the others.
 //!
-//! It ends after at most n + 1 rounds, at a point that is stationary on a face of the feasible set. That point is optimal
-//! only if no variable that was set to zero has a negative gradient, which the four steps do not check.
+//! The algorithm ends after at most n + 1 rounds, at a point that is stationary on a face of the feasible set. That point is optimal
+//! only if no variable that was set to zero has a negative gradient. The four steps do not check this.
 
 // Discrepancy: four-step-solution
 //
@@ -21,7 +21,7 @@
 use super::{Answer, Run};
 use crate::qp::{FreeSet, NotPositiveDefinite, Qp, Stationary};
 
-/// Largest dimension for which the four steps are tried: they take up to n solves of O(n) operations each.
+/// Largest dimension for which the four steps are tried: they need up to n solves of O(n) operations each.
 const LARGEST: usize = 10_000;
 
 /// Runs the four steps.

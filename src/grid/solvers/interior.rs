@@ -1,21 +1,22 @@
-//! Mehrotra's predictor and corrector (Mehrotra 1992): a first set of free variables for the active set, which alone would exchange
-//! them one by one.
+//! Mehrotra's predictor-corrector method (Mehrotra 1992). It gives the active set a first set of free variables, which alone would
+//! exchange them one by one.
 
 use crate::qp::{Explicit, FreeSet, NotPositiveDefinite, Profile, Qp as _, solved_in};
 
-/// Most steps: 10 to 30 are the rule.
+/// Largest number of steps; 10 to 30 are usual.
 const STEPS: usize = 60;
 
-/// Steps end where the mean product of a pair is this share of its size: far below what tells the members of a pair apart.
+/// The steps end when the mean product of a pair is this fraction of its size, which is far less than is needed to tell which member
+/// of a pair is zero.
 const PRODUCT: f64 = 1e-18;
-/// And where the rest of the equations is this share of its size, or rounding, which gets no smaller: *tuned* on the bodies of the
-/// tests, that it asks for no more steps than the pairs.
+/// They also require that the residual of the equations is this fraction of its size, or is rounding and no longer decreases. *Tuned*
+/// on the bodies of the tests so that it needs no more steps than the pairs.
 const REST: f64 = 1e-12;
 
-/// How much of the way to the border a step goes: what is usual (Mehrotra 1992).
+/// Fraction of the distance to the border that a step covers; the usual value (Mehrotra 1992).
 const SHORT_OF_BORDER: f64 = 0.995;
 
-/// `x > 0` and `g > 0` with `A x − g = b`.
+/// A point `x > 0` and `g > 0`, aiming at `A x − g = b`.
 struct Interior<'a> {
     matrix: &'a Profile,
     order: &'a [usize],
@@ -24,16 +25,16 @@ struct Interior<'a> {
     gradient: Vec<f64>,
 }
 
-/// A step of both, and how much of it leads to the border.
+/// A step of `x` and `g`, and the fraction of it that reaches the border, at most 1.
 struct Step {
     x: Vec<f64>,
     gradient: Vec<f64>,
     longest: f64,
 }
 
-/// Which variables are free as far as steps through the interior tell: of each pair the member that vanishes faster is zero. Steps
-/// begin at the size that each variable has alone. Where all of them together are far larger, that is so near to the border that
-/// steps become shorter and shorter; then at the size of the free minimum, which may be far too large.
+/// The free variables according to steps through the interior: of each pair the member that vanishes faster is zero. The steps begin
+/// at the size that each variable would have alone. If the actual solution is far larger, this start is so near the border that steps
+/// become shorter and shorter. They then begin again at the size of the free minimum, which may be far too large.
 pub(super) fn free_set(qp: &Explicit) -> FreeSet {
     let x = qp.sizes().x;
     let (free, ended) = free_from(qp, x);
@@ -45,7 +46,7 @@ pub(super) fn free_set(qp: &Explicit) -> FreeSet {
     if ended { other } else { free }
 }
 
-/// The same from one size for all variables, and whether steps ended.
+/// The same from one size for all variables, and whether the steps converged.
 fn free_from(qp: &Explicit, x: f64) -> (FreeSet, bool) {
     let (n, gradient, linear) = (qp.dimension(), qp.sizes().gradient, qp.linear());
     let (matrix, order) = (qp.profile(), qp.order());
@@ -76,13 +77,13 @@ fn free_from(qp: &Explicit, x: f64) -> (FreeSet, bool) {
 }
 
 impl Interior<'_> {
-    /// `A x − b − g`.
+    /// The residual `A x − b − g`.
     fn rest(&self) -> Vec<f64> {
         let others = self.linear.iter().zip(&self.gradient);
         self.matrix.times(&self.x).iter().zip(others).map(|(product, (b, g))| product - b - g).collect()
     }
 
-    /// The mean of `x_i g_i` after a part of a step.
+    /// The mean of `x_i g_i` after `length` times a step.
     fn mean(&self, x: &[f64], gradient: &[f64], length: f64) -> f64 {
         let moved = |from: f64, step: &[f64], i: usize| from + length * step.get(i).copied().unwrap_or(0.0);
         let pairs = self.x.iter().zip(&self.gradient).enumerate();
@@ -92,7 +93,7 @@ impl Interior<'_> {
         sum / n
     }
 
-    /// Towards pairs whose products are all the same, smaller number: `g dx + x dg = σμ − x g − dx dg`, `A dx − dg = −rest`.
+    /// A step towards pairs with one smaller product for all: `g dx + x dg = σμ − x g − dx dg`, `A dx − dg = −rest`.
     fn step(&self, rest: &[f64], mean: f64) -> Result<Step, NotPositiveDefinite> {
         let mut shifted = self.matrix.part(self.order, 0.0);
         shifted.add_to_diagonal(self.order.iter().map(|i| self.gradient[*i] / self.x[*i]));

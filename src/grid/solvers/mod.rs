@@ -1,5 +1,5 @@
-//! Solvers of the quadratic program (32): two of the paper and one of ours by hand, two libraries. Of a program they use the trait
-//! [`Qp`] alone.
+//! Solvers of the quadratic program (32): two of the paper, one of ours, and two libraries. They use a program only through the trait
+//! [`Qp`].
 
 pub(crate) mod active_set;
 #[cfg(feature = "clarabel")]
@@ -21,14 +21,14 @@ use crate::memory::can_be_had;
 use crate::qp::SparseForm;
 use crate::qp::{Explicit, FreeSet, Qp};
 
-/// The solvers of the quadratic program (32). A solver that is not part of a build has no name in it.
+/// The solvers of the quadratic program (32). A build contains only the names of the solvers that it includes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Solver {
     /// The paper's own algorithm, as printed; it may stop at a point that is not optimal.
     FourStep,
-    /// Block principal pivoting with a finite fallback, by hand.
+    /// Block principal pivoting with a finite fallback, our implementation.
     ActiveSet,
-    /// Projected successive over-relaxation, by hand.
+    /// Projected successive over-relaxation, our implementation.
     Nsor,
     /// The interior-point solver `clarabel`, with the feature of that name.
     #[cfg(feature = "clarabel")]
@@ -38,11 +38,11 @@ pub enum Solver {
     Osqp,
 }
 
-/// How many of the libraries are part of this build.
+/// Number of solver libraries in this build.
 const LIBRARIES: usize = cfg!(feature = "clarabel") as usize + cfg!(feature = "osqp") as usize;
 
 impl Solver {
-    /// All of them.
+    /// All solvers.
     pub const ALL: [Self; 3 + LIBRARIES] = [
         Self::FourStep,
         Self::ActiveSet,
@@ -53,13 +53,13 @@ impl Solver {
         Self::Osqp,
     ];
 
-    /// Those that are meant to reach the optimum: all but the paper's four steps.
+    /// The solvers that are meant to reach the optimum: all except the paper's four steps.
     pub const OPTIMAL: [Self; 2 + LIBRARIES] = {
         let [Self::FourStep, optimal @ ..] = Self::ALL else { panic!("the four steps come first") };
         optimal
     };
 
-    /// The word that command line, JSON and report use.
+    /// The name used by command line, JSON and report.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -88,8 +88,8 @@ impl Solver {
         }
     }
 
-    /// The solver's own tolerance, by the name that it has there, for `tolerance` here: of clarabel `tol_gap_abs`,
-    /// `tol_gap_rel` and `tol_feas`, of osqp `eps_abs`, of NSOR the scaled residual; none of a solver that has no tolerance.
+    /// The tolerance that a solver uses for `tolerance` here: `tol_gap_abs`, `tol_gap_rel` and `tol_feas` of clarabel, `eps_abs` of
+    /// osqp, the scaled residual of NSOR; [`None`] for a solver without a tolerance.
     #[must_use]
     pub fn own_tolerance(self, tolerance: f64) -> Option<f64> {
         match self {
@@ -102,7 +102,7 @@ impl Solver {
         }
     }
 
-    /// The solver's settings for `tolerance`.
+    /// The settings of the solver for `tolerance`, as text.
     #[must_use]
     pub fn settings(self, tolerance: f64) -> String {
         match self {
@@ -123,85 +123,85 @@ impl fmt::Display for Solver {
     }
 }
 
-/// The result of a solver, which is not checked yet.
+/// The result of a solver, not yet checked.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Answer {
     /// The variables `x`, length n.
     pub x: Vec<f64>,
-    /// The gradient `g`, or the multipliers of `x ≥ 0` where the solver has its own, length n.
+    /// The gradient `g`, length n, or the multipliers of `x ≥ 0` if the solver computes its own.
     pub gradient: Vec<f64>,
-    /// What the solver says of it, and what it took.
+    /// The solver's report and its cost.
     pub run: Run,
 }
 
-/// A run of a solver: what it says of its end, which nothing is concluded from, and what it took.
+/// A run of a solver: its own report, from which nothing is concluded, and its cost.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Run {
-    /// True if the solver reports that it reached the optimum to its tolerance.
+    /// Whether the solver reports that it reached the optimum to its tolerance.
     pub reports_success: bool,
-    /// True if it reports that it almost did, to a larger tolerance than the given one, as `AlmostSolved` of clarabel and
-    /// `SolvedInaccurate` of osqp. That is no success.
+    /// Whether the solver reports that it almost did, to a larger tolerance than the given one, as `AlmostSolved` of clarabel and
+    /// `SolvedInaccurate` of osqp do. This does not count as success.
     pub reports_almost: bool,
-    /// The solver's message at its end.
+    /// The solver's final message.
     pub message: String,
-    /// Of a library that came to an end: what it left of its own problem.
+    /// For a library that returned a point: the residual of its own problem.
     pub own_residual: Option<OwnResidual>,
-    /// Steps, pivots, sweeps or iterations, in the solver's own count.
+    /// Steps, pivots, sweeps or iterations, as the solver counts them.
     pub iterations: usize,
-    /// Unknowns that all of these went through, n each, or as many as a neighbourhood has: a measure of cost without a clock, up to a
-    /// factor for each solver.
+    /// Unknowns treated in all iterations: n for each, or as many as a neighbourhood contains. A measure of cost without a clock, up
+    /// to a factor for each solver.
     pub work: usize,
 }
 
 impl Answer {
-    /// Without unknowns there is nothing to solve.
+    /// The answer to a program without unknowns, where there is nothing to solve.
     pub(crate) fn empty(message: String) -> Self {
         Self::without_numbers(0, Run { reports_success: true, message, ..Run::default() })
     }
 
-    /// An answer of a solver that could not even start.
+    /// The answer of a solver that could not start.
     pub(crate) fn refused(n: usize, message: String) -> Self {
         Self::without_numbers(n, Run { message, ..Run::default() })
     }
 
-    /// The end of a run that has no point.
+    /// The answer of a run that ended without a point.
     pub(crate) fn without_numbers(n: usize, run: Run) -> Self {
         Self { x: vec![f64::NAN; n], gradient: vec![f64::NAN; n], run }
     }
 }
 
-/// The active set from a guess of the free variables.
+/// The active set, starting from a guess of the free variables.
 #[must_use]
 pub fn active_set_from(qp: &dyn Qp, free: FreeSet) -> Answer {
     active_set::solve_from(qp, free)
 }
 
-/// The active set from a guess by interior points, where there is only a matrix.
+/// The active set, starting from a guess by interior points, for a program given by its matrix.
 #[must_use]
 pub(crate) fn active_set_of(qp: &Explicit) -> Answer {
     active_set::solve_from(qp, interior::free_set(qp))
 }
 
-/// Unknowns that one run of the active set may go through, all its solves together: a few hundred solves of a million unknowns.
-/// The limit on solves follows from it, so that no clock is needed.
+/// Limit on the unknowns in all solves of one run of the active set: a few hundred solves of a million unknowns. The limit on solves
+/// follows from it, so that no clock is needed.
 pub(crate) const MOST_WORK: usize = 1 << 28;
 
-/// Most unknowns for which a library is tried: up to here it ends within seconds and some hundred megabytes.
+/// Largest number of unknowns for which a library is tried: up to here it needs seconds and some hundred megabytes.
 #[cfg(any(feature = "clarabel", feature = "osqp"))]
 const LARGEST_SPARSE: usize = 100_000;
 
-/// Largest dimension for which a solver that needs the matrix as numbers is tried: a dense matrix of this size takes
-/// 32 MB, and its factors as much again.
+/// Largest dimension for which a solver that needs the matrix as numbers is tried. A dense matrix of this size needs 32 MB, and its
+/// factors as much again.
 const LARGEST_MATRIX: usize = 2000;
 
-/// Memory for an unknown while a library runs: up to 2600 bytes were measured on 10⁵ unknowns.
+/// Memory per unknown while a library runs; up to 2600 bytes were measured on 10⁵ unknowns.
 #[cfg(any(feature = "clarabel", feature = "osqp"))]
 const BYTES_PER_UNKNOWN: usize = 3000;
 
-/// The sparse form for a library; from the matrix if the quadratic program has no other, or why it is not tried.
+/// The sparse form for a library, from the matrix if the quadratic program has no other; or the reason why the library is not tried.
 ///
-/// Both libraries fail on a program without unknowns (clarabel panics), and on NaN (osqp calls `x = 0` solved);
-/// osqp prints to standard output, whatever it was told, where a factorisation shows that there is no minimum.
+/// Both libraries fail on a program without unknowns (clarabel panics) and on NaN (osqp calls `x = 0` solved). If a factorisation
+/// shows that there is no minimum, osqp prints to standard output whatever its settings.
 #[cfg(any(feature = "clarabel", feature = "osqp"))]
 fn sparse_form(qp: &dyn Qp) -> Result<SparseForm, String> {
     if let Some(message) = too_many(qp.dimension()) {
@@ -233,22 +233,22 @@ fn sparse_form(qp: &dyn Qp) -> Result<SparseForm, String> {
     Err(message.to_owned())
 }
 
-/// Why a library is not tried on so many unknowns, if it is not.
+/// The reason why a library is not tried on so many unknowns, if it is not.
 #[cfg(any(feature = "clarabel", feature = "osqp"))]
 fn too_many(n: usize) -> Option<String> {
     (LARGEST_SPARSE < n).then(|| format!("not tried: {n} unknowns, {LARGEST_SPARSE} is the limit of this solver"))
 }
 
-/// What clarabel takes for infinite; osqp takes 1e30, and prints a message where a factorisation overflows.
+/// The value that clarabel treats as infinite. osqp treats 1e30 so, and prints a message if a factorisation overflows.
 #[cfg(any(feature = "clarabel", feature = "osqp"))]
 const INFINITE: f64 = 1e20;
 
-/// Why a solver is not tried that needs the matrix, if there is none.
+/// The reason why a solver that needs the matrix is not tried, if there is no matrix.
 fn no_matrix(qp: &dyn Qp) -> Option<String> {
     qp.without_matrix().map(|why| format!("not tried: {why}"))
 }
 
-/// Why a solver is not tried that would need a larger matrix, if it would.
+/// The reason why a solver that needs the matrix is not tried, if the matrix would be too large.
 fn too_large(qp: &dyn Qp) -> Option<String> {
     let n = qp.dimension();
     (LARGEST_MATRIX < n)

@@ -5,12 +5,12 @@
 //! x_i ← max(0, x_i − ω g_i / a_ii),   i = 1 … n,   g_i = (A x − b)_i with the newest x
 //! ```
 //!
-//! It converges for every symmetric positive definite `A` and `0 < ω < 2`. The best `ω` depends on the matrix and is found
-//! by successive halving: every candidate makes some sweeps, the one with the largest residual is dropped, the others make twice as
-//! many. The first to pass the convergence test is taken; all sweeps count.
+//! It converges for every symmetric positive definite `A` and `0 < ω < 2`. The best `ω` depends on the matrix and is found by
+//! successive halving. Every candidate makes some sweeps, the one with the largest residual is dropped, and the others make twice as
+//! many. The first to pass the convergence test is used; all sweeps count.
 //!
-//! Rounding may keep the residual above the tolerance. The sweeps then end in a cycle, mostly of a single point, and a candidate that
-//! has gone through the cycle without passing the test never will: it makes no more sweeps.
+//! Rounding may keep the residual above the tolerance. The sweeps then end in a cycle, mostly of a single point. A candidate that
+//! completed its cycle without passing the test never will, and makes no more sweeps.
 
 // Discrepancy: nsor-relaxation
 //
@@ -26,17 +26,17 @@ const FACTORS: [f64; 9] = [1.0, 1.2, 1.4, 1.6, 1.7, 1.8, 1.85, 1.9, 1.95];
 /// Sweeps of each candidate in the first round.
 const FIRST_ROUND: usize = 50;
 
-/// Sweeps between two looks at the residual.
+/// Sweeps between two evaluations of the residual.
 const SWEEPS_PER_LOOK: usize = 10;
 
-/// Operations of a sweep besides the multiplications: some for each variable, and its share of a look.
+/// Operations of a sweep besides the multiplications: some for each variable, and its share of evaluating the residual.
 const OVERHEAD: usize = 40;
 
-/// Budget of a run in operations; the page on speed and accuracy has the time in which it is used up. The limit on sweeps follows from
-/// it, so that the answer does not depend on a clock.
+/// Budget of a run in operations; the page on speed and accuracy gives the time for it. The limit on sweeps follows from it, so that
+/// the answer does not depend on a clock.
 const OPERATIONS: usize = 1 << 30;
 
-/// What it is set to.
+/// The settings as text.
 pub(super) fn settings_text(tolerance: f64) -> String {
     format!(
         "ω from a race of {} factors from {:.2} to {:.2}; stops at a scaled residual of {tolerance:.0e}, looked at every \
@@ -101,7 +101,7 @@ pub(super) fn solve(qp: &dyn Qp, tolerance: f64) -> Answer {
     }
 }
 
-/// One relaxation factor and how far it has come.
+/// A relaxation factor and the state of its sweeps.
 #[derive(Clone)]
 struct Candidate {
     factor: f64,
@@ -122,8 +122,9 @@ impl Candidate {
     }
 }
 
-/// Whether a sequence has returned to an earlier point, by Brent's method (Brent 1980): one point of it is kept, a later one whenever
-/// the number of points has doubled. A sweep depends on `x` alone, so that a point that returns does so again and again.
+/// Detects whether a sequence has returned to an earlier point, by Brent's method (Brent 1980). One point is kept, and replaced by a
+/// later one whenever the number of points has doubled. A sweep depends on `x` alone, so a point that returns once returns again and
+/// again.
 #[derive(Clone)]
 struct Cycle {
     mark: Vec<f64>,
@@ -156,7 +157,7 @@ impl Relaxation<'_> {
         }
     }
 
-    /// Some sweeps, and a look at the residual.
+    /// Makes some sweeps and evaluates the residual.
     fn advance(&self, Candidate { factor, x, residual: found, cycle }: &mut Candidate) {
         for _ in 0..SWEEPS_PER_LOOK {
             self.sweep(*factor, x);
@@ -170,7 +171,7 @@ impl Relaxation<'_> {
 mod tests {
     use super::Cycle;
 
-    /// Looks until a sequence of numbers is known to repeat itself, at most a thousand.
+    /// The number of evaluations until a sequence of numbers is known to repeat itself, at most a thousand.
     fn looks(next: impl Fn(f64) -> f64) -> Option<usize> {
         let (mut x, mut cycle) = (0.0, Cycle { mark: vec![0.0], looks: 0, closed: false });
         for look in 1..=1000 {
@@ -185,10 +186,10 @@ mod tests {
 
     #[test]
     fn cycles_are_noticed_and_nothing_else() {
-        // Away from 0 in seven steps, to circle through 7, 8, 9; the mark is at the eighth look when it comes round.
+        // From 0 in seven steps to the cycle 7, 8, 9. The kept point is that of the eighth evaluation, and returns three later.
         assert_eq!(looks(|x| if x < 9.0 { x + 1.0 } else { 7.0 }), Some(11));
         assert_eq!(looks(|x| x), Some(1));
-        // Newton's steps to √2 end in a point, and a sequence that grows for ever does not.
+        // Newton's steps to √2 end at a point. A sequence that grows for ever does not.
         assert!(looks(|x| 0.5 * (x.max(1.0) + 2.0 / x.max(1.0))).is_some_and(|looks| looks < 20), "steps to a root");
         assert_eq!(looks(|x| x + f64::EPSILON), None);
     }

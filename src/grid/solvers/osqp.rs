@@ -1,33 +1,33 @@
-//! The operator-splitting library `osqp` (Stellato, Banjac, Goulart, Bemporad and Boyd 2020): translation to its form and back, nothing else.
+//! The operator-splitting library `osqp` (Stellato, Banjac, Goulart, Bemporad and Boyd 2020): only translation to its form and back.
 //!
 //! ```text
 //! minimise ½ zᵀ P z + cᵀ z   subject to   e ≤ E z ≤ e,   0 ≤ z_k ≤ ∞ for the variables with a sign
 //! ```
 //!
-//! in the [sparse form](crate::qp::SparseForm) of a program, or that of its matrix if it has no other. The multipliers of
-//! the signs are the gradient with the opposite sign.
+//! in the [sparse form](crate::qp::SparseForm) of a program, or the form of its matrix if it has no other. The multipliers of the
+//! sign constraints are the gradient with the opposite sign.
 
 use ::osqp::{CscMatrix, Problem, Settings, Status};
 
 use super::{Answer, OwnResidual, Run, sparse_form};
 use crate::qp::{Qp, UpperColumns};
 
-/// What the library takes for infinity (`OSQP_INFTY`).
+/// The value that the library treats as infinity (`OSQP_INFTY`).
 const INFINITY: f64 = 1e30;
 
-/// Budget of a run in multiplications: the limit on iterations follows from it, so that no clock is needed.
+/// Budget of a run in multiplications. The limit on iterations follows from it, so that no clock is needed.
 const MULTIPLICATIONS: usize = 1 << 31;
 
-/// The step size ρ is adapted, and the end looked for, every so many iterations. By default a clock decides.
+/// Iterations between two adaptations of the step size ρ, and between two checks for termination. By default a clock decides.
 const INTERVAL: u32 = 25;
 
 /// Rounds of iterative refinement when an answer is polished.
 const REFINEMENTS: u32 = 20;
 
-/// Limits between which the budget puts the number of iterations.
+/// Range to which the limit on iterations is restricted.
 const ITERATIONS: [usize; 2] = [1000, 200_000];
 
-/// What it is set to.
+/// The settings as text.
 pub(super) fn settings_text(tolerance: f64) -> String {
     let [least, most] = ITERATIONS;
     format!(
@@ -56,12 +56,12 @@ fn settings(tolerance: f64, entries: usize) -> Settings {
 pub(super) fn solve(qp: &dyn Qp, tolerance: f64) -> Answer {
     let form = match sparse_form(qp) {
         Ok(form) => form,
-        // The library takes NaN without complaint and calls x = 0 solved.
+        // The library accepts NaN without an error and calls x = 0 solved.
         Err(message) => return Answer::refused(qp.dimension(), message),
     };
     let (n, m, r) = (qp.dimension(), form.linear.len(), form.right.len());
     let (starts, rows, values) = form.constraints(1.0);
-    // Factors of these matrices have up to about four entries for each of theirs.
+    // Factors of these matrices have up to about four times as many entries.
     let entries = 4 * (values.len() + form.quadratic.values.len());
     let constraints =
         CscMatrix { nrows: r + n, ncols: m, indptr: starts.into(), indices: rows.into(), data: values.into() };

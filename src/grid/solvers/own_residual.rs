@@ -1,5 +1,5 @@
-//! What a library leaves of the problem that it was given, in the norm by which it decides to stop, computed again from its
-//! answer. Whether it meets its own tolerance is one question; whether its answer passes our check is another.
+//! The residual of a library on its own problem, recomputed from its answer in the norm of its stopping criterion. Whether the
+//! library meets its own tolerance is one question; whether its answer passes our check is another.
 
 #![cfg_attr(not(all(feature = "clarabel", feature = "osqp")), allow(dead_code, reason = "only libraries have one"))]
 
@@ -8,15 +8,16 @@ use crate::qp::SparseForm;
 /// The residual of a library in its own norm, dimensionless.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OwnResidual {
-    /// The largest of its residuals: of the equations and signs, of the gradient, and the duality gap where it is looked at.
+    /// The largest of its residuals: of the equations and sign constraints, of the gradient, and of the duality gap if the library
+    /// checks it.
     pub residual: f64,
-    /// The tolerance that it was set to.
+    /// The tolerance that the library was given.
     pub asked: f64,
-    /// By how much rounding may have changed `residual`; at tolerances like 1e-15 this is the larger of the two.
+    /// The possible effect of rounding on `residual`; at tolerances like 1e-15 this is the larger of the two.
     pub rounding: f64,
 }
 
-/// Roundings of a term: of its product, of the sum, and of the answer itself, which was scaled before it came back.
+/// Roundings of a term: of its product, of the sum, and of the answer itself, which was scaled before it was returned.
 const ROUNDINGS: f64 = 4.0 * f64::EPSILON;
 
 impl OwnResidual {
@@ -43,7 +44,7 @@ impl OwnResidual {
             let [mut equations, mut gradient] = form.left(z, y, part);
             equations.extend(z[form.signed..].iter().zip(s).map(|(z, s)| part(*s) + part(-z)));
             gradient[form.signed..].iter_mut().zip(mu).for_each(|(g, mu)| *g += part(-mu));
-            // zᵀ P z, the gradient without its other terms.
+            // zᵀ P z from the gradient without its other terms.
             let linear = dot(&form.linear, z, part);
             let held = dot(&form.right, y, part);
             let bent: f64 = {
@@ -70,12 +71,12 @@ impl OwnResidual {
     }
 }
 
-/// The largest magnitude; not a number if one of them is none.
+/// The largest magnitude; NaN if a value is NaN.
 fn largest(values: &[f64]) -> f64 {
     maximum(values.iter().map(|v| v.abs()))
 }
 
-/// Not `f64::max`, which would overlook what is no number.
+/// Unlike `f64::max` this does not ignore NaN.
 fn maximum(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().fold(0.0, |most: f64, v| if most.is_nan() || v <= most { most } else { v })
 }
@@ -117,14 +118,14 @@ mod tests {
 
     #[test]
     fn what_is_left_is_seen() {
-        // z = 1 + d: a gradient of d, over the sizes 1 and 1 + d; and a gap of about d.
+        // z = 1 + d gives a gradient of d, relative to the sizes 1 and 1 + d, and a gap of about d.
         let d = 1.0 / f64::from(1_u32 << 20);
         let of_clarabel = OwnResidual::of_clarabel(&native(), [&[1.0 + d], &[0.0], &[1.0 + d]], 1e-9);
         assert!((of_clarabel.residual - d).abs() < 2.0 * d * d, "gap d + d² over 1: {of_clarabel:?}");
-        // A slack or a multiplier that is off by d, over the size of all variables.
+        // A slack or a multiplier with an error, relative to the size of all variables.
         let of = |mu: f64, s: f64| OwnResidual::of_clarabel(&native(), [&[1.0], &[mu], &[s]], 1e-9).residual;
         assert!((of(0.0, 4.0) - 3.0 / 5.0).abs() < f64::EPSILON && (of(4.0, 1.0) - 4.0 / 6.0).abs() < f64::EPSILON);
-        // A force that pulls by d is seen by osqp in the sign of z, and in the gradient.
+        // For a z of −d osqp measures d in the sign of z, and also the gradient.
         let of_osqp = OwnResidual::of_osqp(&native(), &[-d], &[0.0], 1e-9);
         assert!((of_osqp.residual - (1.0 + d)).abs() < f64::EPSILON, "the gradient −1 − d: {of_osqp:?}");
         for own in [of_clarabel, of_osqp, OwnResidual { residual: f64::NAN, asked: 1.0, rounding: 0.0 }] {

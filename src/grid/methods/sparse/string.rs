@@ -1,4 +1,4 @@
-//! The axial force in the sparse forms: a string through all nodes.
+//! The axial force in the sparse forms, as a string through all nodes.
 
 use std::collections::BTreeMap;
 
@@ -6,7 +6,7 @@ use super::spring_unit;
 use crate::methods::Discrete;
 use crate::qp::UpperColumns;
 
-/// What the axial force presses a node down by on the polyline through all levels: `N` times its bend.
+/// The force by which the axial force presses a node down on the polyline through all levels: `N` times its change of slope.
 pub(super) fn pulled_down(discrete: &Discrete, node: usize) -> f64 {
     if discrete.tension == 0.0 {
         return 0.0;
@@ -20,13 +20,13 @@ pub(super) fn pulled_down(discrete: &Discrete, node: usize) -> f64 {
     discrete.tension * bend
 }
 
-/// Which variables move the clearance of each node, as `potential` finds them, and by how much.
+/// The variables of `potential` that move the clearance of each node, with their coefficients.
 pub(super) struct PulledClearances {
     moved: Vec<Vec<(usize, f64)>>,
 }
 
 impl PulledClearances {
-    /// Of no node yet; nothing is kept without an axial force.
+    /// No variables yet. Without an axial force none are stored.
     pub(super) fn of(discrete: &Discrete) -> Self {
         Self { moved: vec![Vec::new(); if discrete.tension == 0.0 { 0 } else { discrete.intervals + 1 }] }
     }
@@ -37,7 +37,7 @@ impl PulledClearances {
         }
     }
 
-    /// A quadratic part and the string across all intervals, of a stiffness.
+    /// The quadratic part plus the string across all intervals, with the given stiffness.
     pub(super) fn added_to(self, quadratic: UpperColumns, stiffness: f64) -> UpperColumns {
         if self.moved.is_empty() {
             return quadratic;
@@ -68,7 +68,7 @@ impl PulledClearances {
     }
 }
 
-/// The units of the forces of a string across the intervals, over that of forces; none without tension.
+/// The units of the string forces across the intervals, relative to the unit of forces. Empty without tension.
 pub(super) fn string_forces(discrete: &Discrete, [depth, force]: [f64; 2]) -> Vec<f64> {
     let count = if 0.0 < discrete.tension { discrete.intervals } else { 0 };
     let unit = spring_unit(discrete.spacing / discrete.tension, depth, force);
