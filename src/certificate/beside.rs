@@ -197,8 +197,11 @@ fn is_turned(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2]) -> bool {
 fn presses_all_along(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2]) -> bool {
     let breaks = [enclosed.load.breaks(from, to), enclosed.gap.breaks(from, to)].concat();
     let pushes = |x: &f64| 0.0 <= enclosed.load.point(*x).lo();
-    let presses =
-        |cell: &[f64; 2]| 0.0 <= pressure(enclosed, cell[0], *cell).range(Interval::length(cell[0], cell[1])).lo();
+    // A pressure that vanishes at one end of a cell is not negative only as seen from that end: elsewhere it is rounded.
+    let presses = |cell: &[f64; 2]| {
+        let seen_from = [pressure(enclosed, cell[0], *cell), pressure(enclosed, cell[1], *cell).mirrored()];
+        seen_from.iter().any(|pressure| 0.0 <= pressure.range(Interval::length(cell[0], cell[1])).lo())
+    };
     !is_turned(enclosed, [from, to]) && breaks.iter().all(pushes) && cells(from, to, breaks).iter().all(presses)
 }
 

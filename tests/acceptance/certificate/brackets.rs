@@ -3,7 +3,7 @@
 
 use palkki::certificate::Certificate;
 use palkki::route::{Method, Solution, Solver, Status};
-use palkki::scene::{Foundation, Scene, Support};
+use palkki::scene::{Foundation, LinearLoad, Scene, Support};
 use palkki::theory::{self, Exact};
 use palkki::verdict::{Demand, Number, Refusal, Verdict};
 use palkki::{Settings, Witness, solve_raw};
@@ -289,6 +289,27 @@ fn a_straight_beam_has_no_force() {
             forged.state.supports[0].force += (1e-9 * stiffness).max(1e-12);
             let refusal = Verdict::of_exact(&scene, &forged, &Demand::default()).refusal;
             assert!(refusal.is_some(), "{levels:?}, {stiffness}, {force} at {at}");
+        }
+    }
+}
+
+/// The beam lies on level ground up to a support at its end, where the load that presses it vanishes: the reaction is known there, from
+/// either side.
+#[test]
+fn a_load_that_vanishes_at_a_support_on_the_ground_leaves_a_bracket() {
+    let draft = Draft {
+        length: 8.0,
+        stiffness: 1.0,
+        linear: vec![LinearLoad { from: 0.0, to: 8.0, start: 1.0, end: 0.0 }],
+        ground: Some(Foundation::Polyline { points: vec![[0.0, 0.01], [2.0, -0.01], [2.0, 0.0], [8.0, 0.0]] }),
+        ..Draft::default()
+    };
+    for (side, draft) in [("right", draft.clone()), ("left", draft.mirrored())] {
+        let (found, verdict) = exact(&draft.scene().expect("well posed"));
+        assert_eq!(verdict.status, Status::Certified, "{side}: {verdict}");
+        let certificate = verdict.certificate.expect("a proof");
+        for (support, bracket) in found.state.supports.iter().zip(&certificate.reactions) {
+            holds(side, *bracket, support.force, ROUNDING, SHARE);
         }
     }
 }
