@@ -21,7 +21,7 @@ use crate::state::{Discretisation, Nodes};
 /// nodes. Negative forces are cut off.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lumped {
-    /// The forces, at the places of the nodes.
+    /// The forces, at the positions of the nodes.
     pub load: ContactLoad,
     /// The beam at its nodes, except the ends that a support holds, in the units of the scene.
     pub nodes: Nodes,
@@ -141,7 +141,7 @@ fn bent(
     let points = grid.nodal_loads(scene).into_iter().enumerate().map(point).collect();
     let load = Load::new(beam, 0.0, Vec::new(), points)?;
     let lumped = scene.under(load)?;
-    // At a support any force is possible, and the force given there is not a contact force of the beam.
+    // A force given at a support does not bend the beam, since the support can have any reaction.
     let pressing = (first..).zip(&forces).filter(|(node, _)| !supports.contains(&Some(*node)));
     let pressing =
         ContactLoad::new(beam.length(), pressing.map(|(node, force)| (grid.place(node), force / scale.force)))?;

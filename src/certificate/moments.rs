@@ -21,7 +21,7 @@
 //! At a support the first relation is an equation if the beam is clear of the foundation next to it. Nearer to the support than `w` the
 //! moment is at most the larger of the moments at both ends of that strip, plus `|q| w²/8 + P w/4`. At a simple support inside the beam,
 //! one clear side is enough, since a couple caused by the foundation on the other side bends the beam upwards. At the ends of the beam
-//! `M* ≤ 0` unless it is built in. Where the beam is in contact with the foundation from a support on (`support_forces`), its moment
+//! `M* ≤ 0` unless the beam is built in. Where the beam is in contact with the foundation from a support on (`support_forces`), its moment
 //! there is the moment of the pair.
 //!
 //! Over `2w` the moments of the pair change by at most `V` times this length, plus their jumps `J` at nodes. So for any `w` both
@@ -35,8 +35,8 @@
 //! known. `P` and `J` are sums over everything within `2w` of a position that is within `w` of another one, so the largest sum over any
 //! `8w` is enough.
 //!
-//! An axial force acts as a load `N v*''`. Of this `N v̂''` is known, and by parts `∫ N (v* − v̂)'' φ dx` is at most `4 |N| max |v* −
-//! v̂|`.
+//! An axial force acts as a load `N v*''`. Of this `N v̂''` is known, and by parts `∫ N (v* − v̂)'' φ dx` is at most
+//! `4 |N| max |v* − v̂|`.
 //!
 //! Two solves of a beam with a kink at `x` would also bound `M*(x)`, since the energy is convex in the angle and its derivative is
 //! `−M*(x)`. But they bound it at one position only, and only to the square root of the rounding of an energy. A gap has the size of the

@@ -1,4 +1,4 @@
-//! From a gap to the error of a deflection: its distance from the admissible deflection plus the distance of that from the true one.
+//! From a gap to the error of a deflection: its distance from the admissible one plus the distance between the admissible and the true one.
 //!
 //! ```text
 //! |v − v*| ≤ max |v − v̂| + max |v̂ − v*|        on each part of the beam

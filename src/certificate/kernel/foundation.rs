@@ -38,7 +38,7 @@ impl<'a> EnclosedFoundation<'a> {
         }
     }
 
-    /// A lower bound of the depth between two positions, found without examining each cell; minus infinity for other profiles.
+    /// A lower bound of the depth between two positions, found without examining each cell; minus infinity for a cosine or polynomial.
     pub(crate) fn least(&self, from: f64, to: f64) -> f64 {
         let [bearings, points] = self.points();
         // The selection includes the far ends of the segments that contain the two positions.

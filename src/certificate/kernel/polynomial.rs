@@ -118,8 +118,8 @@ impl Polynomial {
         sum * width
     }
 
-    /// An enclosure of all values for `0 ≤ s ≤ w`, between the least and the greatest Bernstein coefficient, `b_i = Σ_{j ≤ i} C(i, j) /
-    /// C(d, j) c_j w^j`.
+    /// An enclosure of all values for `0 ≤ s ≤ w`, between the least and the greatest Bernstein coefficient,
+    /// `b_i = Σ_{j ≤ i} C(i, j) / C(d, j) c_j w^j`.
     pub(crate) fn range(&self, width: Interval) -> Interval {
         let Some(degree) = self.terms.checked_sub(1) else { return Interval::ZERO };
         // w^j c_j / C(d, j), then sums as in Pascal's triangle.

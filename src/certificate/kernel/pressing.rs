@@ -55,8 +55,8 @@ impl PullCutOff {
         }
     }
 
-    /// Bounds the effect of what is cut off, when each piece of it is carried by one of the lines. Returns a bound of at least `√(∫
-    /// m²/EI dx)` for the moments `m` that this causes, and of at least the force at each datum of a line.
+    /// Bounds the effect of the tension that is cut off, if one of the lines carries each part of it. Returns a bound of at least
+    /// `√(∫ m²/EI dx)` for the moments `m` that this causes, and of at least the force at each datum of a line.
     ///
     /// ```text
     /// √(∫ m²/EI dx) ≤ Σ f √c(x, x) + Σ C √((L + 3 a)/3 EI)

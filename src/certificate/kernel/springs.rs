@@ -87,7 +87,7 @@ struct Sums {
     cut_off: PullCutOff,
     /// `∫ p²/k` of the negative part of the pressure.
     pull: Interval,
-    /// Twice the gap, without what is cut off.
+    /// Twice the gap, without the tension that is cut off.
     square: Interval,
     /// `∫ k w₊²`.
     energy: Interval,
@@ -231,7 +231,7 @@ impl OnSprings<'_> {
         Some(-(self.enclosed.stiffness_beside(self.x(node), left) * if left { span.end } else { span.start }[2]))
     }
 
-    /// `M` on the left and on the right of a node: the given value, but for an overhang by statics.
+    /// `M` on the left and on the right of a node: by statics for an overhang, otherwise the given value.
     fn moments(&self, spans: &[Option<Span>], node: usize) -> [Interval; 2] {
         let by_statics = |left: bool| self.overhanging(spans, node, left);
         let own = |left: bool| by_statics(left).or(self.said(node, left, 2)).unwrap_or(Interval::ZERO);

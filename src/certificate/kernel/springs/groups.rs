@@ -3,10 +3,10 @@
 //! Two carriers far apart prove a bound that grows with `l^1.5 √gap`. The parts of a group are within a distance of `(4 EI/k)^¼`. A line
 //! through two neighbouring groups, or through a group and a support, bounds the error over the distance between these two only.
 //!
-//! *Proof.* Let `I` be one part or several separate parts, and `w > e = √(2 gap/∫k)` on all of `I`, with the integral over `I`. If `|w₊
-//! − w*₊| > e` on all of `I`, then `½ ∫ k (w₊ − w*₊)² > ½ e² ∫k = gap`, which the theorem at the head of [`springs`](super) excludes. So
-//! `|w₊ − w*₊| ≤ e < w` at some position of `I`. There `w*₊ > 0`, hence `w* = w*₊` and `|v̂ − v*| = |w − w*| ≤ e`. Of each group the
-//! deepest parts are used, as many as satisfy this. Groups do not carry the tension that is cut off: any two carriers do.
+//! *Proof.* Let `I` be one part or several separate parts, and `w > e = √(2 gap/∫k)` on all of `I`, with the integral over `I`. If
+//! `|w₊ − w*₊| > e` on all of `I`, then `½ ∫ k (w₊ − w*₊)² > ½ e² ∫k = gap`, which the theorem at the head of [`springs`](super)
+//! excludes. So `|w₊ − w*₊| ≤ e < w` at some position of `I`. There `w*₊ > 0`, hence `w* = w*₊` and `|v̂ − v*| = |w − w*| ≤ e`. Of each
+//! group the deepest parts are used, as many as satisfy this. Groups do not carry the tension that is cut off: any two carriers do.
 
 use super::{Carrier, OnSprings, Sums};
 use crate::certificate::kernel::interval::Interval;
@@ -32,7 +32,7 @@ impl OnSprings<'_> {
     }
 
     /// Lines through the parts with the largest contact forces of neighbouring groups. Only parts that are pressed for every pair with
-    /// this gap are used. [`None`] if supports hold the beam or if it has hinges.
+    /// this gap are used. [`None`] if the beam has supports or hinges.
     pub(super) fn neighbours(&self, sums: &Sums, gap: f64) -> Option<Vec<Line>> {
         let is_whole = self.enclosed.supports.is_empty() && self.is_one([0.0, self.enclosed.length]);
         let strongest = |group: Vec<&Carrier>| {
