@@ -1,15 +1,16 @@
-//! Supports that only push beside ground that gives: what is proven of the beam on those that press is proven of the scene.
+//! Compression-only supports with an elastic foundation: a proof for the beam on the pressed supports is a proof for the scene.
 //!
-//! Let `v°` be the deflection of the beam that some of them hold as supports do, without the others, and `R` their forces. If
+//! Let `v°` be the deflection of the beam if some of these supports hold it in both directions and the others are omitted. Let `R` be
+//! the reactions of those that hold. If
 //!
 //! ```text
 //! R ≥ 0 at those that hold,      v° ≤ level at the others
 //! ```
 //!
-//! then `v°` is that of the scene: it is admissible, and with `R` and the pressure `k (v° − g)₊` it satisfies all conditions of the
-//! minimum of a convex `J`. No other deflection does: with `R > 0` it would be on the same supports, where `v°` is the only one, and a
-//! beam that supports hold has one in any case. Both conditions follow from brackets. Which of them hold is said by the witness: where
-//! they are wrong, nothing is proven, and so it is where the brackets do not tell.
+//! then `v°` is the deflection of the scene. It is admissible, and with `R` and the pressure `k (v° − g)₊` it satisfies all conditions
+//! of the minimum of a convex `J`. No other deflection does: with `R > 0` it would rest on the same supports, where `v°` is the only
+//! solution, and a beam held by its other supports has only one solution in any case. Both conditions are checked with brackets. The
+//! candidate contact list states which supports hold. If it is wrong, or if the brackets do not decide, nothing is proven.
 
 use super::Certificate;
 use super::kernel::contact_node::EnclosedScene;
@@ -20,18 +21,20 @@ use super::kernel::springs::Stretch;
 use super::support_forces::piece_at;
 use crate::scene::{Bearing, Scene, SceneError, Support, is_same_place};
 
-/// A deflection that is less by this share of the largest one is that of a support: some thousand units in the last place.
+/// A deflection reaches a support if it is less than its level by at most this share of the larger of level and largest deflection: some
+/// thousand units in the last place.
 const SAME: f64 = 1e-12;
 
-/// A dimensionless scene on supports that hold where the beam of a witness is on those that only push.
+/// A dimensionless scene in which the compression-only supports that the beam touches, according to the given stretches, hold in both
+/// directions.
 ///
 /// # Errors
 ///
-/// Those of [`Scene::new`].
+/// The errors of [`Scene::new`].
 pub(super) fn held(scene: &Scene, witness: &[Stretch]) -> Result<Scene, SceneError> {
     let length = scene.beam().length();
     let shape = |x: f64| scene.beam().shape().map_or(0.0, |shape| shape.depth(x));
-    // What is said of a pressed stretch is how far it is sunk.
+    // For a pressed stretch the given values are penetrations.
     let deflection = |s: &Stretch, x: f64, end: [f64; 4]| {
         let ground = if s.sunk.is_empty() { 0.0 } else { scene.depth(x) - shape(x) };
         (x, ground + end[0])
@@ -45,7 +48,7 @@ pub(super) fn held(scene: &Scene, witness: &[Stretch]) -> Result<Scene, SceneErr
     scene.held_where(|bearing| touched.iter().any(|at| (bearing.at - at).abs() <= 0.0))
 }
 
-/// What is known of the beam on supports that hold as what is known of the scene; [`None`] if it may not be the same beam.
+/// The certificate of the scene from that of the beam on supports that hold; [`None`] if the two may not be the same beam.
 pub(super) fn of_scene(
     scene: &Scene,
     enclosed: &EnclosedScene<'_>,
@@ -58,7 +61,7 @@ pub(super) fn of_scene(
     let mut bracket = |support: &Support| {
         if support.stiffness.is_some() {
             let bracket = *brackets.next()?;
-            // A stop that the beam is clear of exerts nothing.
+            // A compression-only support that the beam is clear of has no reaction.
             let is_clear = support.pushes_only && clears(enclosed, pair, support);
             return Some(if is_clear { Some([0.0; 2]) } else { bracket });
         }

@@ -1,30 +1,33 @@
-//! What the beam does beside a support where rigid ground begins at its level: it lies there, or it is clear of the ground.
+//! The beam next to a support at which a rigid foundation begins at the level of the support: it is in contact there, or clear of the
+//! foundation.
 //!
-//! All of it follows from one fact. Let the clearance `h = g − v*` have `h = h' = 0` at two places, with the pressure
-//! `P = q − EI g''''` of a beam that follows the ground, `P ≥ 0`, between them. Where `h > 0`, `EI h'''' = −P ≤ 0`; but a beam that is
-//! built in, or simply supported, at the ends of such a part bends to the side to which its load acts everywhere, and so it does by such
-//! an end couple (their influence lines have one sign): there is no such part, and `h = 0` from place to place.
+//! Everything follows from one fact. Let the clearance `h = g − v*` satisfy `h = h' = 0` at two positions. Between them let the pressure
+//! `P = q − EI g''''` of a beam that follows the foundation satisfy `P ≥ 0`. Where `h > 0`, `EI h'''' = −P ≤ 0`. But a beam that is
+//! built in or simply supported at the ends of such a part bends everywhere in the direction of its load, and it does so under such an
+//! end couple too (their influence lines have one sign). So there is no such part, and `h = 0` between the two positions.
 //!
-//! **It lies there** ([`lies_beside`]) as far as a contact `β` is, if one is proven: at `β` `h = h' = 0`, and at the support `h = 0` with
-//! `h' = 0` where ground or support leaves no other slope, or `h'' = g'' ≥ 0` at a simple support at the end of the beam. From the pair
+//! **It is in contact** ([`lies_beside`]) as far as a contact `β`, if one is proven. At `β` `h = h' = 0`. At the support `h = 0`, and
+//! either `h' = 0` because foundation or support allow no other slope, or `h'' = g'' ≥ 0` at a simple support at the end of the beam.
+//! From the pair
 //!
 //! ```text
 //! ∫ φ dp* = ∫ M* φ'' + ∫ q φ ≥ ∫ −EI v̂'' φ'' + ∫ q φ − √( 2 gap ∫ EI φ''² ),    φ = s² (w − s)²,  ∫ φ''² = 4w⁵/5
 //! ```
 //!
-//! and where this is positive the beam touches between two places at the distance `w`, of which the support may be one. Where `P = 0` it lies there without a
-//! pressure ([`lies_idle`]), and its moments have no other load than where it is clear.
+//! If this is positive, the beam is in contact somewhere between two positions at the distance `w`, one of which may be the support.
+//! Where `P = 0` it is in contact without pressure ([`lies_idle`]), and its moments there depend on the same loads as where it is clear.
 //!
-//! **It is clear** ([`opens`]) of ground that the pair leaves with a curvature. Let `v*` be clear of it from the distance `s` on, and
-//! have the slope of the ground at the support. Were there contacts nearer, and the last of them at `β ≤ s`, then `h = 0` up to `β`, and
-//! there `h = h' = 0` and `h'' ≤ η`: zero, or what a load that pulls makes of it, `EI η = s² max(−P, 0)/12`. Behind it
+//! **It is clear** ([`opens`]) of a foundation from which the pair separates with a curvature. Let `v*` be clear of it from the distance
+//! `s` on, with the slope of the foundation at the support. Suppose that there are nearer contacts, the last of them at `β ≤ s`. Then
+//! `h = 0` up to `β`, and at `β` `h = h' = 0` and `h'' ≤ η`. Here `η` is zero, or the effect of a load that acts away from the
+//! foundation, `EI η = s² max(−P, 0)/12`. Beyond `β`
 //!
 //! ```text
 //! h(x) = h''(β) (x − β)²/2 + T (x − β)³/6 − ∫ (x − ξ)³ P dξ / 6 EI
 //! h(4s) − ρ³ h(2s) ≥ −η (4s)² − (1 + ½) (4s)⁴ max |P| / 24 EI,      ρ = (4s − β)/(2s − β) from 2 to 3
 //! ```
 //!
-//! whatever `T` is. Where it opens with the square of the distance the left side, at most `h(4s) − 8 h(2s)`, is less.
+//! for any `T`. If the clearance opens with the square of the distance, the left side, at most `h(4s) − 8 h(2s)`, is smaller.
 
 use super::kernel::contact_node::{EnclosedScene, EnclosedSupport};
 use super::kernel::distance::{factor, on_part};
@@ -36,14 +39,14 @@ use super::kernel::proof::{Pair, Piece};
 use super::kernel::reference::OUTWARDS;
 use super::support_forces::piece_at;
 
-/// Whether rigid ground bends away from the beam in a part beside a support at its level, from which the beam goes on to a free end:
-/// contact pushes up, wherever it is, and at a distance `s` from the support
+/// Whether a rigid foundation bends away from the beam in a part next to a support at its level, from which the beam extends to a free
+/// end. Contact forces act upwards, wherever they are, and at a distance `s` from the support
 ///
 /// ```text
 /// EI h'' = EI g'' + M ≥ EI g'' − ∫ |q| (ξ − s) dξ − Σ |P| (ξ − s) − Σ |C| > 0,    h = 0 and h' ≥ 0 for s = 0:    h > 0
 /// ```
 ///
-/// Into ground that gives a beam may sink beside the support, `h' < 0`.
+/// On an elastic foundation the beam may penetrate next to the support, `h' < 0`.
 pub(super) fn bends_away(enclosed: &EnclosedScene<'_>, x: f64, end: f64, part: [f64; 2]) -> bool {
     let beyond = |place: f64| x.min(end) <= place && place <= x.max(end) && (place - x).abs() > 0.0;
     let is_free = end <= 0.0 || enclosed.length <= end;
@@ -69,10 +72,10 @@ pub(super) fn bends_away(enclosed: &EnclosedScene<'_>, x: f64, end: f64, part: [
     bent.hi() < ground.range(width).lo()
 }
 
-/// Whether the beam is proven to be clear of rigid ground in all of a part beside a support at its level but at the support itself, where
-/// it has the slope of the ground: see above.
+/// Whether the beam is proven to be clear of a rigid foundation in all of a part next to a support at its level. At the support itself
+/// it has the slope of the foundation. For the proof see the head of this file.
 pub(super) fn opens(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, ends: [f64; 2]) -> bool {
-    /// Halvings of the distance `s`: a bound is in proportion to `s^(3/2)`, and the clearance to `s²`.
+    /// Halvings of the distance `s`: the bound is proportional to `s^(3/2)`, and the clearance to `s²`.
     const HALVINGS: u32 = 16;
     let side = usize::from(ends[0].total_cmp(&x).is_eq());
     let is_tangent = enclosed.support(x).is_some_and(|support| keeps_slope(support, side));
@@ -90,7 +93,7 @@ pub(super) fn opens(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, ends: [f6
     let clearance = mirrored(enclosed.gap.about(x, ends).minus(&v));
     let pressure = mirrored(pressure(enclosed, x, ends));
     let (width, factor) = ((ends[1] - ends[0]).next_up(), factor(pair.gap, enclosed.stiffness));
-    // A part between two distances from the support, and how far the deflection is off there.
+    // A part between two distances from the support, and the error bound of the deflection there.
     let off = |near: f64, far: f64| {
         let part = if side == 0 { [x - far, x - near] } else { [x + near, x + far] };
         Interval::exact(on_part(pair, factor, [part[0].next_down(), part[1].next_up()]))
@@ -108,7 +111,7 @@ pub(super) fn opens(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, ends: [f6
         let least = clearance.at(Interval::exact(2.0 * s)) - off(s, 4.0 * s);
         ((most - number(8) * least) * stiffness + bent + pressed).hi() < 0.0
     };
-    // From the far end on towards the support, as far as the beam is clear.
+    // From the far end towards the support, as far as the beam is clear.
     let mut far = width;
     for _ in 0..HALVINGS {
         let near = 0.5 * far;
@@ -123,12 +126,12 @@ pub(super) fn opens(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, ends: [f6
     false
 }
 
-/// Whether the beam can have no slope but that of the ground on one side of a support at its level.
+/// Whether the slope of the foundation is the only possible slope of the beam on one side of a support at its level.
 fn keeps_slope(support: &EnclosedSupport, side: usize) -> bool {
     support.at_level[side] && support.is_fixed && (support.slope.is_none() || support.tangent[side])
 }
 
-/// Whether a beam on the ground beside a support cannot leave it between there and a contact, where the ground presses.
+/// Whether a beam in contact next to a support cannot lift off between the support and a contact, where the pressure is not negative.
 fn starts_along(enclosed: &EnclosedScene<'_>, support: &EnclosedSupport, side: usize) -> bool {
     let at_end = support.x <= 0.0 || enclosed.length <= support.x;
     let is_turned = || is_turned(enclosed, [support.x, support.x]);
@@ -137,7 +140,7 @@ fn starts_along(enclosed: &EnclosedScene<'_>, support: &EnclosedSupport, side: u
     keeps_slope(support, side) || support.at_level[side] && hinged()
 }
 
-/// Whether the beam lies on the ground beside a support, on its left or on its right side, as the pair does: see above.
+/// Whether the beam is in contact next to a support, on its left or on its right side, like the pair; see the head of this file.
 pub(super) fn lies_beside(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, side: usize) -> bool {
     let Some(support) = enclosed.support(x).filter(|_| pair.ground.is_none() && is_uniform(enclosed)) else {
         return false;
@@ -153,9 +156,10 @@ pub(super) fn lies_beside(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, sid
     reaches(enclosed, x, side).any(|part| presses_all_along(enclosed, part) && touches(enclosed, pair, part))
 }
 
-/// Parts from a place to one of its sides: as far as the next support, the next corner of the ground, or the end of the beam, and halves.
+/// Parts from a position to one side: up to the next support, the next corner of the foundation or the end of the beam, and halves of
+/// this part.
 fn reaches(enclosed: &EnclosedScene<'_>, x: f64, side: usize) -> impl Iterator<Item = [f64; 2]> {
-    /// Only how small a part is looked at depends on it.
+    /// Only the size of the smallest part depends on it.
     const HALVINGS: usize = 16;
     let to_the_left = side == 0;
     let [from, to] = if to_the_left { [0.0, x] } else { [x, enclosed.length] };
@@ -166,8 +170,8 @@ fn reaches(enclosed: &EnclosedScene<'_>, x: f64, side: usize) -> impl Iterator<I
     halves.map(move |reach| if to_the_left { [x - reach, x] } else { [x, x + reach] })
 }
 
-/// Whether the beam is proven to lie on rigid ground from a support to the far end of a part, without a pressure there: it touches beyond
-/// the part.
+/// Whether the beam is proven to be in contact with a rigid foundation from a support to the far end of a part, without pressure there,
+/// because contact is proven beyond the part.
 pub(super) fn lies_idle(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, ends: [f64; 2]) -> bool {
     let side = usize::from(x <= ends[0]);
     let starts = enclosed.support(x).is_some_and(|support| starts_along(enclosed, support, side));
@@ -180,8 +184,8 @@ pub(super) fn lies_idle(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, ends:
     pair.ground.is_none() && is_uniform(enclosed) && starts && idle() && reaches(enclosed, x, side).any(touches_beyond)
 }
 
-/// Whether the beam has one stiffness, no joints, no axial force, and no springs but such as hold it at single places: what is proven here
-/// is not proven of others.
+/// Whether the beam has one stiffness, no joints, no axial force, and no springs except vertical ones at supports. The proofs of this
+/// file are valid only for such beams.
 fn is_uniform(enclosed: &EnclosedScene<'_>) -> bool {
     let turns = |support: &EnclosedSupport| support.gives.is_some_and(|gives| gives.turning.is_some());
     let gives = !enclosed.said.is_empty() || enclosed.supports.iter().any(turns);
@@ -193,7 +197,7 @@ fn is_turned(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2]) -> bool {
     enclosed.load.couples.iter().any(|(place, couple)| from <= *place && *place <= to && 0.0 < couple.magnitude())
 }
 
-/// Whether no load pulls the beam off the ground on which it follows a part, and no couple turns it there.
+/// Whether, on a part where the beam follows the foundation, no load acts away from the foundation and no couple acts.
 fn presses_all_along(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2]) -> bool {
     let breaks = [enclosed.load.breaks(from, to), enclosed.gap.breaks(from, to)].concat();
     let pushes = |x: &f64| 0.0 <= enclosed.load.point(*x).lo();
@@ -205,7 +209,7 @@ fn presses_all_along(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2]) -> bool
     !is_turned(enclosed, [from, to]) && breaks.iter().all(pushes) && cells(from, to, breaks).iter().all(presses)
 }
 
-/// Whether contact is proven strictly between two places.
+/// Whether contact is proven strictly between two positions.
 fn touches(enclosed: &EnclosedScene<'_>, pair: &Pair, [from, to]: [f64; 2]) -> bool {
     let (stiffness, w) = (Interval::exact(enclosed.stiffness), Interval::length(from, to));
     let bump = Polynomial::new(&[Interval::ZERO, Interval::ZERO, w * w, -(number(2) * w), number(1)]);

@@ -1,4 +1,4 @@
-//! Contact forces from elsewhere, and the beam that bends under them and the true load.
+//! Contact forces from elsewhere, and the deflection of the beam under them and the true load.
 //!
 //! ```text
 //! EI v'''' = q − Σ f_k δ(x − x_k) − Σ R_s δ(x − x_s),   v(x_s) = d_s,  v'(x_s) = φ_s where it is built in,   M = −EI v''
@@ -10,36 +10,36 @@ use super::kernel::polynomial::Polynomial;
 use super::witness::balance;
 use crate::scene::Scale;
 
-/// Forces of the foundation on the beam, at places, upwards; those that pull are cut off.
+/// Forces of the foundation on the beam at given positions, upwards; negative forces are cut off.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactLoad {
-    /// Places and forces, from left to right, one at a place, all positive.
+    /// Positions and forces, from left to right, one per position, all positive.
     pub(crate) pressing: Vec<(f64, f64)>,
-    /// Places and forces that were cut off, all negative.
+    /// Positions and forces that were cut off, all negative.
     pub(crate) pulling: Vec<(f64, f64)>,
-    /// Places of all that were given, those without a force among them.
+    /// All given positions, including those with a force of zero.
     pub(crate) places: Vec<f64>,
 }
 
-/// A force that is none.
+/// A contact force that is not valid.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum NotAForce {
-    /// A number that is `nan` or infinite.
+    /// A number is NaN or infinite.
     #[error("force {index} must be finite, but is {force} at x = {x}")]
     NotFinite {
-        /// Which, from 0.
+        /// Index of the force, from 0.
         index: usize,
-        /// Where.
+        /// Position of the force.
         x: f64,
-        /// Its value.
+        /// Value of the force.
         force: f64,
     },
-    /// A place that is not on the beam.
+    /// A position is not on the beam.
     #[error("force {index} must act on the beam, between 0 and {length}, but acts at x = {x}")]
     OutsideBeam {
-        /// Which, from 0.
+        /// Index of the force, from 0.
         index: usize,
-        /// Where.
+        /// Position of the force.
         x: f64,
         /// Length of the beam.
         length: f64,
@@ -47,7 +47,7 @@ pub enum NotAForce {
 }
 
 impl NotAForce {
-    /// Which force, from 0.
+    /// Index of the force, from 0.
     #[must_use]
     pub fn index(&self) -> usize {
         match *self {
@@ -57,11 +57,11 @@ impl NotAForce {
 }
 
 impl ContactLoad {
-    /// Contact forces `(x, force)` on a beam of some length, in any order; forces at one place add up.
+    /// Takes contact forces `(x, force)` on a beam of this length, in any order; forces at one position add up.
     ///
     /// # Errors
     ///
-    /// A force or a place that is not finite, or a place that is not on the beam.
+    /// A force or a position is not finite, or a position is not on the beam.
     pub fn new(length: f64, forces: impl IntoIterator<Item = (f64, f64)>) -> Result<Self, NotAForce> {
         let all = Self::sorted(length, forces)?;
         let places = all.iter().map(|f| f.0).collect();
@@ -70,7 +70,7 @@ impl ContactLoad {
         Ok(Self { pressing, pulling, places })
     }
 
-    /// Finite forces on the beam from left to right, one at a place.
+    /// Finite forces on the beam from left to right, one per position.
     pub(crate) fn sorted(
         length: f64,
         forces: impl IntoIterator<Item = (f64, f64)>,
@@ -96,7 +96,7 @@ impl ContactLoad {
         Ok(all)
     }
 
-    /// The forces that pulled and were cut off: places and forces, all negative.
+    /// The negative forces that were cut off: positions and forces.
     #[must_use]
     pub fn pulling(&self) -> &[(f64, f64)] {
         &self.pulling
@@ -110,10 +110,10 @@ impl ContactLoad {
     }
 }
 
-/// Their deflection by cells, on each `v(from + s)`; `breaks` besides those of the load and the forces. All in dimensionless
-/// numbers. Support forces follow from equilibrium and compatibility. A beam that supports do not hold is held by two of the given
-/// forces, the largest one and that with the largest moment about it, or about its support: the beam touches the ground there, and
-/// the forces that equilibrium needs take the place of the given ones. [`None`] where there are no two.
+/// The deflection under these forces by cells, on each `v(from + s)`, in dimensionless numbers. `breaks` are added to the breaks of the
+/// load and the forces. Reactions follow from equilibrium and compatibility. If the supports do not hold the beam, two of the given
+/// forces do: the largest one and the one with the largest moment about it, or about the only support. The beam touches the foundation
+/// there, and the forces required by equilibrium replace the given ones. [`None`] if there are no two such forces.
 pub(super) fn deflection(
     forces: &ContactLoad,
     enclosed: &EnclosedScene<'_>,
@@ -126,7 +126,7 @@ pub(super) fn deflection(
     bent(&EnclosedScene { load: &net, ..*enclosed }, &forces.pressing, breaks)
 }
 
-/// The same of a beam under its load and the contact forces together.
+/// The same for a beam under its load and the contact forces together.
 pub(super) fn bent(
     enclosed: &EnclosedScene<'_>,
     pressing: &[(f64, f64)],
@@ -159,7 +159,7 @@ mod tests {
     use crate::certificate::in_intervals;
     use crate::scene::{Balance, Beam, Load, PointLoad, Scene};
 
-    /// A force `P` downwards and a contact force `F` upwards, at one place `a` or at two: of each
+    /// A force `P` downwards and a contact force `F` upwards, at one position `a` or at two; each of them causes
     ///
     /// ```text
     /// v(x) = P b x (l² − b² − x²) / 6 EI l  for x ≤ a,    b = l − a

@@ -4,28 +4,28 @@
 //! y_i = y_{i−1} + s_{i−1},   s_i = s_{i−1} − f_i,      y_0 = 0, s_0 given
 //! ```
 //!
-//! A million roundings of a slope would be a million times larger in the height. So within a short block slopes and heights
-//! count from its beginning, where they are small, and from block to block both sums keep what rounding takes from them, as
-//! in Kahan's and Neumaier's sums; the slope passes its share on.
+//! A million rounding errors of a slope would be a million times larger in the height. So within a short block slopes and heights are
+//! counted from the start of the block, where they are small. From block to block both sums keep their rounding errors, as in Kahan's
+//! and Neumaier's sums, and the error of the slope is passed on to the height.
 
-/// A double sum so far.
+/// The current state of a double sum.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct DoubleSum {
     height: Sum,
     slope: Sum,
 }
 
-/// Nodes in a block: a power of two, so that the way which a slope rises over a block is exact.
+/// Nodes in a block: a power of two, so that the product of slope and block length is exact.
 const BLOCK: usize = 16;
 
 impl DoubleSum {
-    /// From a height with a slope.
+    /// Starts with a height and a slope.
     pub(super) fn from(height: f64, slope: f64) -> Self {
         let sum = |value| Sum { value, lost: 0.0 };
         Self { height: sum(height), slope: sum(slope) }
     }
 
-    /// Over the next nodes: replaces the loss of slope at each of them by the height there.
+    /// Continues over the next nodes: replaces the decrease of the slope at each node by the height there.
     pub(super) fn along(&mut self, falls: &mut [f64]) {
         let (blocks, rest) = falls.as_chunks_mut::<BLOCK>();
         blocks.iter_mut().for_each(|block| self.block(block));
@@ -37,7 +37,7 @@ impl DoubleSum {
     #[expect(clippy::cast_precision_loss, reason = "a block is short")]
     fn block<const NODES: usize>(&mut self, falls: &mut [f64; NODES]) {
         let (from, rise) = (self.height.total(), self.slope.total());
-        // What falls in the block have taken from slope and height.
+        // The decreases of slope and height within the block.
         let (mut steep, mut deep) = (0.0, 0.0);
         for (k, y) in falls.iter_mut().enumerate() {
             let fall = *y;
@@ -52,7 +52,7 @@ impl DoubleSum {
         self.slope.add(-steep);
     }
 
-    /// The slope behind the last node.
+    /// The slope after the last node.
     pub(super) fn slope(self) -> f64 {
         self.slope.total()
     }
@@ -62,13 +62,13 @@ impl DoubleSum {
         self.height.total()
     }
 
-    /// From here on everything is higher by so much.
+    /// Raises the height from here on.
     pub(super) fn raise(&mut self, by: f64) {
         self.height.add(by);
     }
 }
 
-/// A sum, and what rounding has taken from it.
+/// A sum and its accumulated rounding error.
 #[derive(Debug, Clone, Copy, Default)]
 struct Sum {
     value: f64,
@@ -76,7 +76,7 @@ struct Sum {
 }
 
 impl Sum {
-    /// Adds a number; `lost` gets the exact error of the addition (Knuth's two-sum).
+    /// Adds a number; `lost` accumulates the exact error of the addition (Knuth's two-sum).
     fn add(&mut self, next: f64) {
         let sum = self.value + next;
         let of_next = sum - self.value;
@@ -93,24 +93,24 @@ impl Sum {
 mod tests {
     use super::{DoubleSum, Sum};
 
-    /// Falls of one, on a slope of 10¹⁶ that cannot be told from what they leave of it unless nothing is lost.
+    /// Decreases of one, on a slope of 10¹⁶ that is changed by them only if no digit is lost.
     #[test]
     fn nothing_is_lost() {
         let mut sums = DoubleSum { slope: Sum { value: 1e16, lost: 0.0 }, ..DoubleSum::default() };
         sums.along(&mut [1.0; 100]);
         sums.along(&mut [1e16]);
-        // 101 intervals with the steep slope; the k-th fall of one lowers the 102 − k nodes behind it.
+        // 101 intervals with the steep slope; the k-th decrease of one lowers the 102 − k nodes after it.
         let ones: f64 = (1..=100_i32).map(|k| f64::from(102 - k)).sum();
         sums.along(&mut [0.0]);
         assert_eq!(sums.height().to_bits(), (101.0 * 1e16 - ones).to_bits());
         assert_eq!(sums.slope.total().to_bits(), (-100.0_f64).to_bits());
     }
 
-    /// Falls of a third between two supports: a parabola `y_i = f i (N − i)/2`, to a few units in the last place of its height,
-    /// on a grid of any size, with the slope `f (N − 1)/2` at the left end.
+    /// Decreases of a third between two supports: a parabola `y_i = f i (N − i)/2`, to a few units in the last place of its height, on a
+    /// grid of any size, with the slope `f (N − 1)/2` at the left end.
     #[test]
     fn uniform_falls_make_a_parabola() {
-        /// Of the slope that is found, of a sum of sixteen, of two products.
+        /// Rounding of the computed slope, of a sum of sixteen numbers and of two products.
         const UNITS: f64 = 4.0;
         let fall = 1.0 / 3.0;
         for n in [1, 15, 16, 17, 1000, 300_000_u32] {

@@ -1,4 +1,4 @@
-//! A scene in intervals.
+//! The enclosure of a scene: all its data as intervals.
 
 use super::kernel::contact_node::{EnclosedScene, EnclosedSupport};
 use super::kernel::foundation::EnclosedFoundation;
@@ -10,29 +10,29 @@ use super::kernel::tension::Hung;
 use super::standing;
 use crate::scene::{Balance, Foundation, Scaled, Scene, SceneError, Support};
 
-/// Forces and couples of supports that give, and what is given of the deflection between contacts.
+/// Reactions and couples of elastic supports, and the proposed deflection between contacts.
 pub(super) type Said<'a> = (&'a [[f64; 2]], &'a [Hung]);
 
-/// The result of `act` on a scene that is made dimensionless and enclosed in intervals.
+/// The result of `act` on a scene that is first made dimensionless and enclosed in intervals.
 pub(super) fn enclosed<R>(scene: &Scene, act: impl FnOnce(&EnclosedScene<'_>, &Scaled) -> R) -> Result<R, SceneError> {
     let scaled = scene.scaled()?;
     Ok(in_intervals(&scaled.scene, scaled.balance, |enclosed| act(enclosed, &scaled)))
 }
 
-/// The result of `act` on a scene that is enclosed in intervals as it is, without supports that give.
+/// The result of `act` on a scene that is enclosed in intervals as it is, without elastic supports.
 pub(super) fn in_intervals<R>(scene: &Scene, balance: Balance, act: impl FnOnce(&EnclosedScene<'_>) -> R) -> R {
     with_springs(scene, balance, (&[], &[]), act)
 }
 
-/// The same with its supports that give, of each of which is said whether the beam touches the ground just there, its force, and by how
-/// much it makes the moment jump; and with what is given of the deflection between contacts under an axial force.
+/// The same with elastic supports and, under an axial force, with the proposed deflection between contacts. For each elastic support the
+/// candidate contact list states whether the beam touches the foundation at its position, its reaction, and its jump of the moment.
 pub(super) fn with_springs<R>(
     scene: &Scene,
     balance: Balance,
     (springs, hung): (&[(bool, [f64; 2])], &[Hung]),
     act: impl FnOnce(&EnclosedScene<'_>) -> R,
 ) -> R {
-    /// Where there is no foundation it is out of reach.
+    /// Without a foundation the gap is infinite.
     const NONE: Foundation = Foundation::Flat { depth: f64::INFINITY };
     const STRAIGHT: Foundation = Foundation::Flat { depth: 0.0 };
     let (stiffness, length) = (scene.beam().bending_stiffness(), scene.beam().length());
@@ -80,7 +80,7 @@ pub(super) fn with_springs<R>(
     })
 }
 
-/// Takes supports that give as supports or as loads, as it is said of them; those that are loads come back.
+/// Adds elastic supports as supports or as loads, depending on what is stated for each; returns those added as loads.
 fn with_said(
     springs: impl Iterator<Item = (Giving, f64, (bool, [f64; 2]))>,
     load: &mut EnclosedLoad,

@@ -1,4 +1,4 @@
-//! The deflection that is judged, by cells and their parts, dimensionless.
+//! The judged deflection, by cells and their parts, dimensionless.
 
 use super::ContactLoad;
 use super::kernel::contact_node::{EnclosedScene, EnclosedSupport};
@@ -18,16 +18,16 @@ pub(crate) type Curve = ([f64; 2], Polynomial);
 /// The deflection that is judged.
 #[derive(Debug, Clone, Copy)]
 pub enum Judged<'a> {
-    /// That of the nodes of a grid: the cubics that deflections and moments at the nodes make between them.
+    /// The deflection at the nodes of a grid, with cubics between the nodes from deflections and moments.
     Nodes(&'a Nodes),
-    /// The one that contact forces cause, by statics and integration under the true load.
+    /// The deflection caused by contact forces, by statics and integration under the true load.
     Forces(&'a ContactLoad),
-    /// The one that the places of the witness make.
+    /// The deflection that follows from the positions of the candidate contact list.
     Witness,
 }
 
 impl Judged<'_> {
-    /// At how many places it was computed.
+    /// The number of positions at which the deflection was computed.
     pub(crate) fn places(&self) -> usize {
         match self {
             Self::Nodes(nodes) => nodes.x.len(),
@@ -45,7 +45,7 @@ impl Hung {
     }
 }
 
-/// How far the deflection of nodes is from the true one, and how large it is at least; [`None`] if nothing is known.
+/// A bound of the distance between the nodal deflection and the true one, and a lower bound of its size; [`None`] if there is no bound.
 pub(super) fn of_nodes(
     enclosed: &EnclosedScene<'_>,
     scale: &Scale,
@@ -57,7 +57,7 @@ pub(super) fn of_nodes(
     Some((distance::of(pair, cells, stiffness, length)?, 0.0))
 }
 
-/// The same of a deflection by parts.
+/// The same for a deflection by parts.
 pub(super) fn of_curves(beam: &Beam, pair: &Pair, caused: &[Curve]) -> Option<(Error, f64)> {
     let (stiffness, length) = (beam.bending_stiffness(), beam.length());
     let cells = caused.iter().copied().map(Cell::of);
@@ -66,23 +66,23 @@ pub(super) fn of_curves(beam: &Beam, pair: &Pair, caused: &[Curve]) -> Option<(E
     Some((Error { size: error.size.min(size.hi()), ..error }, size.lo()))
 }
 
-/// The same of the deflection that the places of the witness make.
+/// The same for the deflection that follows from the positions of the candidate contact list.
 pub(super) fn of_witness(pair: &Pair, [greatest, least]: [Interval; 2], beam: &Beam) -> Option<(Error, f64)> {
     let length = beam.length();
     let most = Some(distance::of_witness(pair, beam.bending_stiffness(), length)).filter(|most| most.is_finite())?;
     let reached = greatest.lo().max(-least.hi());
-    // What was lifted is not the deflection that the places make.
+    // The lift is not part of the deflection that follows from these positions.
     let at_least = (Interval::exact(reached) - Interval::exact(pair.lifted)).lo().max(0.0);
     Some((Error { most, at: 0.5 * length, size: greatest.hi().max(-least.lo()) }, at_least))
 }
 
-/// No part of the beam that is compared at once is wider than this share of it, and a cell that is wider has at least
-/// [`PARTS`].
+/// Largest width of a part that is compared at once, as a share of the beam. A wider cell is divided into at least [`PARTS`].
 pub(super) const NARROW: f64 = 1.0 / 2048.0;
-/// The enclosure of a cell exceeds its values by the square of its length: with eight parts, by a sixty-fourth of that of the whole.
+/// The excess of an enclosure over the values on a cell is proportional to the square of its length: with eight parts it is a
+/// sixty-fourth.
 const PARTS: f64 = 8.0;
 
-/// A cell of a deflection: `v` and `v''` at both ends and inside, [`None`] for the cubic that the ends make.
+/// A cell of a deflection: `v` and `v''` at both ends and inside; [`None`] if the inside is the cubic that follows from the ends.
 #[derive(Debug, Clone)]
 pub(super) struct Cell {
     ends: [f64; 2],
@@ -92,7 +92,7 @@ pub(super) struct Cell {
 }
 
 impl Cell {
-    /// A cell with `v(from + s)`.
+    /// The cell with `v(from + s)`.
     pub(super) fn of(([from, to], v): ([f64; 2], Polynomial)) -> Self {
         let width = Interval::exact(to) - Interval::exact(from);
         let bent = v.derivative().derivative();
@@ -101,7 +101,7 @@ impl Cell {
         Self { ends: [from, to], values, inside: Some(Box::new([v, bent])), fourth }
     }
 
-    /// Divided at some places inside.
+    /// The cell divided at positions inside.
     fn parts(self, inner: Vec<f64>) -> impl Iterator<Item = Part> {
         let Self { ends: [from, to], values, inside, fourth } = self;
         let count = inner.len();
@@ -133,7 +133,7 @@ fn cubic([a, b]: [f64; 2], [[v0, k0], [v1, k1]]: [[Interval; 2]; 2]) -> [Polynom
     [v, v.derivative().derivative()]
 }
 
-/// The places inside a cell at which it is divided, so that each part lies in one piece of `v̂`: mostly none.
+/// The positions inside a cell at which it is divided, so that each part is within one piece of `v̂`; usually none.
 fn divided(pieces: &[Piece], [a, b]: [f64; 2], length: f64) -> Vec<f64> {
     let first = pieces.partition_point(|p| p.to <= a);
     let mut places: Vec<f64> = pieces[first..].iter().map(|p| p.to).take_while(|x| *x < b).collect();
@@ -146,7 +146,7 @@ fn divided(pieces: &[Piece], [a, b]: [f64; 2], length: f64) -> Vec<f64> {
     places
 }
 
-/// The parts of a deflection by cells, for a comparison with `v̂` by pieces.
+/// The parts of a deflection given by cells, for a comparison with `v̂` given by pieces.
 pub(super) fn parts(pieces: &[Piece], cells: impl Iterator<Item = Cell>, length: f64) -> impl Iterator<Item = Part> {
     cells.flat_map(move |cell| {
         let inner = divided(pieces, cell.ends, length);
@@ -154,16 +154,15 @@ pub(super) fn parts(pieces: &[Piece], cells: impl Iterator<Item = Cell>, length:
     })
 }
 
-/// The cubics between the nodes of a grid, from the deflections and moments at both ends of each:
+/// The cubics between the nodes of a grid, from the deflections and moments at both ends:
 ///
 /// ```text
 /// v = v₀ + (Δv/Δ − Δ (2 κ₀ + κ₁)/6) s + κ₀ s²/2 + (κ₁ − κ₀) s³/6Δ,     κ = −M/EI
 /// κ₀ = 3 (Δv − φ Δ)/Δ² − κ₁/2                                           where the beam is built in with the slope φ
 /// ```
 ///
-/// Supports that are none of the nodes are added: their deflection is known, and the moment is zero but where the beam is built in. Beside a
-/// spring against turning it goes on as between the next two nodes.
-/// [`None`] if that is no beam from end to end.
+/// Supports that are not nodes are added. Their deflection is known, and their moment is zero unless the beam is built in. Next to a
+/// rotational spring the moment is extrapolated from the next two nodes. [`None`] if the nodes are not a beam from end to end.
 pub(super) fn cubics<'a>(
     given: &Nodes,
     scale: &Scale,
@@ -174,9 +173,9 @@ pub(super) fn cubics<'a>(
     if given.deflection.len() != n || given.moment.len() != n {
         return None;
     }
-    // Place, deflection and moment at a node.
+    // Position, deflection and moment at a node.
     let mut nodes: Vec<[f64; 3]> = Vec::with_capacity(n + supports.len());
-    // What gives against sinking is a node, or an end that is none.
+    // A support with a vertical spring is not added, since its deflection is not prescribed.
     let mut left = supports.iter().filter(|s| s.gives.is_none_or(|gives| gives.spring.is_none())).peekable();
     let added = |support: &EnclosedSupport| [support.x, support.deflection.middle(), 0.0];
     for k in 0..n {
@@ -218,7 +217,7 @@ pub(super) fn cubics<'a>(
         let stiffness = enclosed.stiffness_between([a, b]);
         let [mut left, mut right] = [m0, m1].map(|moment| -Interval::exact(moment) / Interval::exact(stiffness));
         if pulled {
-            // As an element under the axial force turns at its ends.
+            // The curvatures that give an element under the axial force its end rotations.
             let z = enclosed.tension * (b - a) * (b - a) / stiffness;
             let [own, other] = as_cubic(z).map(Interval::exact);
             [left, right] = [own * left + other * right, own * right + other * left];
@@ -227,7 +226,7 @@ pub(super) fn cubics<'a>(
             left = turned(slope, right);
         }
         if let Some(slope) = built_in(b) {
-            // From the right end, slopes and curvatures change their sign.
+            // From the right end, slopes and curvatures have the opposite sign.
             right = -turned(slope, -left);
         }
         let values = [[Interval::exact(v0), left], [Interval::exact(v1), right]];
@@ -244,7 +243,7 @@ mod tests {
     const LENGTH: f64 = 20.0;
     const STIFFNESS: f64 = 70.0;
     const ROUNDING: f64 = 1e-12;
-    /// Units that are not one.
+    /// Units other than one.
     const SCALE: Scale = Scale { length: 2.0, depth: 0.5, force: 8.0 };
 
     /// The cubics of dimensionless numbers, given in units.
@@ -280,7 +279,7 @@ mod tests {
         vec![Support::simple(0.0), Support::simple(LENGTH)]
     }
 
-    /// Between two supports that are no nodes, and one that is.
+    /// Between two supports that are not nodes, and one that is.
     #[test]
     fn between_nodes_the_beam_has_their_deflections_and_moments() {
         let mut supports = simple();
@@ -301,8 +300,8 @@ mod tests {
         is(&at_support[2], 0.0, [0.3, -1.3 / 7.0 + 7.0 / (6.0 * STIFFNESS) * (4.0 - 5.0), -2.0 / STIFFNESS]);
     }
 
-    /// Where the beam is built in the cubic has the slope of the support, and whatever moment that takes; the other end of the cell
-    /// has its own.
+    /// Where the beam is built in, the cubic has the slope of the support and the moment that this requires; the other end of the cell
+    /// keeps its own moment.
     #[test]
     fn where_the_beam_is_built_in_the_slope_is_known() {
         let built_in = |at: f64, slope: f64| Support { slope: Some(slope), ..Support::simple(at) };

@@ -1,7 +1,7 @@
-//! The residual of a discrete problem: how far nodal values are from (4), (5) and (8), as five dimensionless numbers.
+//! The residual of a discrete problem: the deviation of nodal values from (4), (5) and (8), as five dimensionless numbers.
 //!
-//! The forces on the beam are taken from the state, those of the supports among them. Summed up they are moments, and these summed
-//! up deflections, which are compared with those of the state: no system is solved.
+//! The forces on the beam, including reactions, come from the state. Their sums are moments, and the sums of these are deflections,
+//! which are compared with the deflections of the state. No system of equations is solved.
 
 mod giving;
 
@@ -10,25 +10,24 @@ use super::summed::{BATCH, Summed, Walked};
 use crate::scene::{Grid, Held, Scene, Spring, is_same_place};
 use crate::state::{ContactState, Nodes, Reactions, SupportForce};
 
-/// A state whose worst residual is at most this is certified.
+/// A state whose largest residual is at most this is certified.
 ///
-/// Nodal contact forces differ from the optimum by up to `‖K‖` times the residual. With 30 intervals and the example of
-/// the paper that is a factor of some 10³, so that 1e-9 in clearance leaves six digits of a nodal force, and more of every
-/// integral quantity.
+/// Nodal contact forces differ from the optimum by up to `‖K‖` times the residual. With 30 intervals and the example of the paper this
+/// factor is about 10³. So 1e-9 in clearance leaves six digits of a nodal force, and more of every integral quantity.
 pub const CERTIFIED_RESIDUAL: f64 = 1e-9;
 
-/// Rounding, as a share of what is certified: sixteen units in the last place of the largest length in the scene.
+/// Rounding, as a share of the certified residual: sixteen units in the last place of the largest length in the scene.
 ///
-/// Contact forces are rounded numbers, and half a unit in the last place of each moves the beam by that share of the
-/// deflection `P l³ / 48 EI` that all of them together would cause. Where the foundation lies so close that the beam moves
-/// less than that, a smaller measure would judge the representation of numbers, not the answer.
+/// Contact forces are rounded numbers. Half a unit in the last place of each moves the beam by this share of the deflection
+/// `P l³ / 48 EI` that all of them together would cause. If the foundation is so close that the beam moves less than this, a smaller
+/// measure would judge the representation of numbers and not the answer.
 const ROUNDING: f64 = 16.0 * f64::EPSILON / CERTIFIED_RESIDUAL;
 
-/// No beam with a hinge has a deflection of so many times its length.
+/// Deflections above this multiple of the length are treated as those of a mechanism, in a beam with hinges.
 const MOST: f64 = 1e12;
 
-/// The least deflection by which others are measured: [`ROUNDING`] of the `P l³/48 EI` that a force causes on a beam of this length
-/// and bending stiffness.
+/// The least deflection that is used as a measure: [`ROUNDING`] times the `P l³/48 EI` that a force causes on a beam of this length and
+/// bending stiffness.
 pub(crate) fn least_deflection(force: f64, length: f64, stiffness: f64) -> f64 {
     ROUNDING * flexibility(length, stiffness) * force
 }
@@ -40,28 +39,28 @@ fn flexibility(length: f64, stiffness: f64) -> f64 {
 
 /// Violations of (4), (5), (8) by a state, all dimensionless.
 ///
-/// Forces are measured by `P`, the sum of all loads or of all contact forces, whichever is larger; in a scene without
-/// loads by the force `48 EI u / l³` that bends the beam to the ground. Lengths are measured by `D`, the largest deflection,
-/// in a scene without loads not less than the way to the ground, and never by less than rounding.
+/// Forces are measured by `P`, the sum of all loads or of all contact forces, whichever is larger. In a scene without loads `P` is at
+/// least the force `48 EI u / l³` that bends the beam down to the foundation. Lengths are measured by `D`, the largest deflection. In a
+/// scene without loads `D` is at least the distance to the foundation, and it is never less than rounding.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Kkt {
     /// Feasibility: `max(v_i − g_i) / D`, the deepest penetration at a node.
     pub penetration: f64,
-    /// Sign of the contact forces: `max(−p_i) / P`, the strongest tension.
+    /// Sign of the contact forces: `max(−p_i) / P`, the largest tension.
     pub tension: f64,
     /// Complementarity: `max min(p_i / P, h_i / D)`, force across a clearance.
     pub complementarity: f64,
-    /// Equilibrium and elasticity: the deflection that the contact forces cause, against that of the state, over `D`;
-    /// and the balance of forces and of moments with the reactions, over `P`.
+    /// Equilibrium and elasticity: the deflection caused by the contact forces compared with the deflection of the state, over `D`, and
+    /// the equilibrium of forces and of moments with the reactions, over `P`.
     pub equilibrium: f64,
-    /// The other values of the state against those that follow from its deflections and forces: places over `l`, clearances over
-    /// `D`, bending moments over `P l`, forces of supports that only push over `P`.
+    /// The other values of the state compared with those that follow from its deflections and forces: positions over `l`, clearances
+    /// over `D`, bending moments over `P l`, reactions of compression-only supports over `P`.
     pub record: f64,
 }
 
 impl Kkt {
-    /// Judges the nodal values of `state` in `scene`; [`None`] if the state has none, or if its nodes are not those of a grid with
-    /// all supports among them: all nodes but the ends of the beam that have a support.
+    /// Judges the nodal values of `state` in `scene`; [`None`] if the state has none. The nodes must be those of a grid with all supports
+    /// at nodes, except the ends of the beam that have a support; otherwise the result is [`None`] too.
     #[must_use]
     pub fn of(scene: &Scene, state: &ContactState) -> Option<Self> {
         let recorded = Recorded::by(scene, state)?;
@@ -83,7 +82,7 @@ impl Kkt {
             if recorded.hinges.contains(&from) {
                 at_supports = largest_each(at_supports, [[0.0, (moments[0] * step).abs()]].into_iter());
             }
-            // An end of the beam that a support holds is no node of the state.
+            // An end of the beam that a support holds is not a node of the state.
             let Some(i) = from.checked_sub(first).filter(|i| *i < p.len()) else { return };
             let (places, u) = (&mut places[..deflections.len()], &mut depths[..deflections.len()]);
             grid.places(from, places);
@@ -92,14 +91,14 @@ impl Kkt {
             if gives {
                 for (k, (give, gap)) in gives_here.iter_mut().zip(u.iter_mut()).enumerate() {
                     *give = grid.give_of(scene, from + k);
-                    // Where the foundation is interrupted there is nothing to touch.
+                    // Where the foundation is interrupted no contact is possible.
                     *gap = if give.is_finite() { *gap } else { f64::INFINITY };
                 }
             }
             let rows = (0..places.len()).map(|k| {
                 let i = i + k;
                 let clearance = u[k] - v[i];
-                // Of the foot of a spring, on ground that gives.
+                // On an elastic foundation, the clearance of the foot of the spring.
                 let foot = if gives && clearance.is_finite() { clearance + gives_here[k] * p[i] } else { clearance };
                 [
                     -foot,
@@ -117,7 +116,7 @@ impl Kkt {
         let [low, couples] = at_supports;
         let [foot, pushed, pressed, law] = recorded.of_springs([force, depth]);
         let turned = recorded.turned(&tangents, [force, depth], length);
-        // A mechanism that only rounding holds moves by far more than any beam: all else is little beside that.
+        // A mechanism that is held only by rounding moves far more than any beam, and all other deviations are small compared with that.
         let moves = if !recorded.hinges.is_empty() && MOST * length < depth { f64::INFINITY } else { 0.0 };
         let [shear, remaining] = summed.left_over;
         let [left, right, mistaken_forces] = recorded.of_supports(scene, state)?;
@@ -136,7 +135,7 @@ impl Kkt {
         })
     }
 
-    /// The worst of the five; infinite if any of them is NaN.
+    /// The largest of the five; infinite if any of them is NaN.
     #[must_use]
     pub fn residual(&self) -> f64 {
         largest([self.penetration, self.tension, self.complementarity, self.equilibrium, self.record])
@@ -149,16 +148,16 @@ impl Kkt {
     }
 }
 
-/// The forces on a beam as its state has them, summed up. Differences at the far end and at supports are residuals.
+/// The sums of the forces that a state records on its beam. Differences at the far end and at supports are residuals.
 struct Recorded<'a> {
     nodes: &'a Nodes,
     grid: Grid,
-    /// The node of the grid that is the first of the state.
+    /// The first node of the state, as a node of the grid.
     first: usize,
     supports: Vec<RecordedSupport>,
-    /// Those that give against sinking: node, what they are, and their force and moment in the state.
+    /// Supports with a vertical spring: node, spring, and its force and moment in the state.
     springs: Vec<(usize, Spring, SupportForce)>,
-    /// The slope that supports hold where the beam changes for them, from left to right.
+    /// The slopes that supports hold, rigidly or by a spring, from left to right.
     slopes: Vec<Slope>,
     hinges: Vec<usize>,
     /// The beam under `t = q − p − R`.
@@ -176,21 +175,21 @@ struct RecordedSupport {
 }
 
 impl RecordedSupport {
-    /// How far a deflection is off what it prescribes, and its moment in the state off one beside it and beyond a jump.
+    /// The deviation of a deflection from the prescribed one, and of its recorded moment from the moment before or after a jump.
     fn off(&self, deflection: f64, moment: f64, jump: f64) -> [f64; 2] {
         let moment = self.recorded.moment.map_or(0.0, |recorded| nearer(recorded, moment, jump));
         [(deflection - self.held.deflection).abs(), moment]
     }
 }
 
-/// How far a moment is off that before a jump or behind it, whichever is nearer.
+/// The distance of a moment from the moment before a jump or after it, whichever is nearer.
 fn nearer(recorded: f64, moment: f64, jump: f64) -> f64 {
     (recorded - moment).abs().min((recorded - (moment + jump)).abs())
 }
 
 impl<'a> Recorded<'a> {
-    /// [`None`] if the nodes of the state are not those of a grid with all supports among them, or if the state lacks the force of a
-    /// support.
+    /// Sums the forces of a state; [`None`] if the nodes of the state are not those of a grid with all supports among them, or if the
+    /// state lacks the reaction of a support.
     fn by(scene: &Scene, state: &'a ContactState) -> Option<Self> {
         let nodes = state.nodes.as_ref()?;
         let p = &nodes.contact_force;
@@ -230,8 +229,8 @@ impl<'a> Recorded<'a> {
         Some(Self { nodes, grid, first, supports, springs, slopes, hinges, summed, load, contact })
     }
 
-    /// How far the reactions at the left and at the right end are off the forces of the supports there, and how far at most the force
-    /// of a support that only pushes is off the contact force of its node, which is what it exerts.
+    /// The differences between the reactions at the left and at the right end and the forces of the supports there, and the largest
+    /// difference between the reaction of a compression-only support and the contact force of its node, which must be equal.
     fn of_supports(&self, scene: &Scene, state: &ContactState) -> Option<[f64; 3]> {
         let length = scene.beam().length();
         let pushed =
@@ -248,9 +247,9 @@ impl<'a> Recorded<'a> {
         Some([left - of_end(0.0), right - of_end(length), largest(mistaken)])
     }
 
-    /// Deflection of the left end and slope beside it with which the beam goes through two places at which its deflection is known,
-    /// or through one at which its slope is known as well; and what it turns by in its hinges, so that it goes through the deflections at
-    /// hinges and ends. [`None`] if there are no such places.
+    /// The deflection of the left end and the slope next to it for which the beam passes through two positions with known deflection, or
+    /// through one with known slope as well; and the kinks in its hinges for which it passes through the deflections at hinges and ends.
+    /// [`None`] if there are no such positions.
     fn start(&self) -> Option<([f64; 2], Vec<f64>)> {
         let known = self.known();
         let mut shot = vec![0.0; known.len()];
@@ -282,9 +281,9 @@ impl<'a> Recorded<'a> {
         nodes.map(deflection).collect()
     }
 
-    /// The outermost two nodes at which the deflection is known, or one if there is no other: supports; and of a beam that these do
-    /// not hold nodes that press, with the deflection of the state: that with the largest force, or with the largest moment about the
-    /// one that is there.
+    /// The outermost two nodes with known deflection, or one if there is no other. These are supports. If supports do not hold the beam,
+    /// nodes with contact forces are used with the deflection of the state: the node with the largest force, or with the largest moment
+    /// about the node already chosen.
     fn known(&self) -> Vec<(usize, f64)> {
         if !self.hinges.is_empty() {
             return self.at_hinges().unwrap_or_default();
@@ -308,7 +307,7 @@ impl<'a> Recorded<'a> {
             let taken = known.first().map(|(node, _)| *node);
             let turns = |i: usize| p[i] * taken.map_or(1.0, |taken| self.grid.place((i + self.first).abs_diff(taken)));
             let most = (0..p.len()).filter(|i| 0.0 < turns(*i)).max_by(|a, b| turns(*a).total_cmp(&turns(*b)));
-            // Where nothing presses, the end that is farther off.
+            // If there is no contact force, the end that is farther away.
             let far = if taken.is_some_and(|taken| self.grid.intervals() <= 2 * taken) { 0 } else { p.len() - 1 };
             let i = most.unwrap_or(far);
             known.push((i + self.first, self.nodes.deflection[i]));
@@ -327,7 +326,8 @@ impl<'a> Recorded<'a> {
             0.0
         };
         let force = nonzero(self.load.max(self.contact).max(idle / flexibility(length, stiffness)));
-        // Of the state alone: ground that the beam does not reach, however deep, must not loosen the measure.
+        // In a scene with loads these depend on the state alone: a deep foundation that the beam does not reach must not loosen the
+        // measure.
         [force, nonzero(deepest.max(idle).max(least_deflection(force, length, stiffness)))]
     }
 }
@@ -337,7 +337,7 @@ fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     largest_each([0.0], values.into_iter().map(|value| [value]))[0]
 }
 
-/// The same of each column of a table, of which the upper part has been seen.
+/// The same for each column of a table; `most` contains the maxima of the rows above.
 fn largest_each<const COLUMNS: usize>(
     mut most: [f64; COLUMNS],
     rows: impl Iterator<Item = [f64; COLUMNS]>,
@@ -345,7 +345,7 @@ fn largest_each<const COLUMNS: usize>(
     let mut unknown = [false; COLUMNS];
     for row in rows {
         for ((most, unknown), value) in most.iter_mut().zip(&mut unknown).zip(row) {
-            // Not `f64::max`, which also looks for NaN and is slower: `unknown` does that.
+            // Not `f64::max`, which also handles NaN and is slower: `unknown` does that.
             *most = if *most < value { value } else { *most };
             *unknown |= value.is_nan();
         }
@@ -354,27 +354,28 @@ fn largest_each<const COLUMNS: usize>(
     most
 }
 
-/// The error of a clearance in the state, beyond the rounding of the gap `u` that it was taken from.
+/// The error of a clearance in the state, beyond the rounding of the gap `u` from which it was computed.
 fn mistaken(recorded: f64, u: f64, clearance: f64) -> f64 {
-    // Where there is no foundation both are infinite.
+    // Without a foundation both are infinite.
     if u == f64::INFINITY && recorded == f64::INFINITY {
         return 0.0;
     }
     (recorded - clearance).abs() - 4.0 * f64::EPSILON * u.abs()
 }
 
-/// The magnitude of the least gap: how far the highest ground is from the unloaded beam. Zero where there is no ground.
+/// The magnitude of the least gap, that is the distance of the highest point of the foundation from the unloaded beam. Zero without a
+/// foundation.
 fn within_reach(depths: &[f64]) -> f64 {
     let highest = depths.iter().copied().fold(f64::INFINITY, f64::min);
     if highest.is_finite() { highest.abs() } else { 0.0 }
 }
 
-/// A divisor: 1 where there is nothing to measure by.
+/// A divisor: 1 if the size is zero.
 fn nonzero(size: f64) -> f64 {
     if 0.0 < size { size } else { 1.0 }
 }
 
-/// Force and moment of a support in a state; [`None`] if it has none, or no moment where the beam is built in.
+/// Force and moment of a support in a state; [`None`] if the state lacks its force, or the moment where the support holds the slope.
 fn recorded_support(state: &ContactState, held: &Held, length: f64) -> Option<SupportForce> {
     let recorded = state.supports.iter().find(|recorded| is_same_place(recorded.at, held.at, length))?;
     let holds_slope = held.slope.is_some() || held.turning.is_some();

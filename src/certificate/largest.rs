@@ -1,31 +1,30 @@
-//! The extremes of a function by pieces, sharply: those of an answer are compared with those of its contacts.
+//! Sharp extremes of a piecewise function, for comparing the extremes of an answer with those of its contacts.
 //!
-//! The coefficients of Bernstein enclose a polynomial on its cell, but generously: those of a beam that sags freely are a
-//! thirtieth too large, those of a cubic that vanishes at both ends up to 9/4 times. A concave polynomial is below its tangents, of
-//! which that at its greatest value is sharp. Of another cell the halves are looked at that could exceed the greatest value that was
-//! found at a point.
+//! Bernstein coefficients enclose a polynomial on its cell, but not sharply. For a beam that deflects freely they are a thirtieth too
+//! large, for a cubic that vanishes at both ends up to 9/4 times too large. A concave polynomial is below its tangents, and the tangent
+//! at its maximum is sharp. Other cells are halved as long as a half could exceed the greatest value found at a point so far.
 
 use super::kernel::interval::Interval;
 use super::kernel::polynomial::{Polynomial, number};
 
-/// Share of the largest magnitude to which it is found.
+/// Accuracy of an extreme, as a share of the largest magnitude.
 const SHARP: f64 = 1e-13;
 
-/// Halvings of a cell, at most; one that has a single largest value needs some twenty.
+/// Largest number of halvings of a cell; a cell with a single maximum needs about twenty.
 const HALVINGS: u32 = 200;
 
-/// What is left of the excess is rounding if it is no more than this many times what is not known of the values.
+/// A remaining excess counts as rounding if it is at most this many times the uncertainty of the values.
 const KNOWN: f64 = 4.0;
 
-/// What the largest `|v|` over all cells lies between.
+/// A bracket of the largest `|v|` over all cells.
 pub(crate) fn largest(cells: impl Iterator<Item = ([f64; 2], Polynomial)> + Clone) -> Interval {
     let [greatest, least] = extremes(cells);
     Interval::between(greatest.lo().max(-least.hi()).max(0.0), greatest.hi().max(-least.lo()))
 }
 
-/// What the greatest and the least `v` over all cells lie between, apart by a share [`SHARP`] of the largest magnitude as far as
-/// rounding allows. Where the beam follows a plateau all values are the largest, and no halving would tell them apart: their own
-/// uncertainty ends that.
+/// Brackets of the greatest and the least `v` over all cells, with a width of the share [`SHARP`] of the largest magnitude as far as
+/// rounding allows. Where the beam follows a plateau all values are maxima, and halving cannot separate them. Their own uncertainty ends
+/// the search.
 pub(crate) fn extremes(cells: impl Iterator<Item = ([f64; 2], Polynomial)> + Clone) -> [Interval; 2] {
     let least = greatest(cells.clone().map(|(cell, v)| (cell, Polynomial::ZERO.minus(&v))));
     [greatest(cells), -least]
@@ -56,7 +55,7 @@ fn greatest(cells: impl Iterator<Item = ([f64; 2], Polynomial)> + Clone) -> Inte
                 continue;
             }
             left -= 1;
-            // Half of the upper bound of the width: parts overlap by rounding and leave nothing out.
+            // The halves use the upper bound of the width, so the parts overlap by rounding and leave nothing out.
             let half = Interval::exact(width.hi()) / number(2);
             let right = v.shifted(half);
             (reached, size) = seen((reached, size), right.at(Interval::ZERO));
@@ -66,10 +65,10 @@ fn greatest(cells: impl Iterator<Item = ([f64; 2], Polynomial)> + Clone) -> Inte
     Interval::between(reached, bound)
 }
 
-/// A value of a polynomial for `0 ≤ s ≤ w`, mostly near its greatest one, and a bound of all from the tangent there, below which a
-/// concave function lies; infinite for any other.
+/// A value of a polynomial for `0 ≤ s ≤ w`, usually near its maximum, and an upper bound of all values from the tangent there, which is
+/// above a concave function. The bound is infinite for any other function.
 fn tangent(v: &Polynomial, width: Interval) -> (Interval, f64) {
-    /// Of Newton's method; where it needs more the cell is halved.
+    /// Steps of Newton's method; if it needs more, the cell is halved.
     const STEPS: usize = 6;
     let (slope, w) = (v.derivative(), width.hi());
     let bend = slope.derivative();
@@ -101,7 +100,7 @@ pub(super) fn least_magnitude(interval: Interval) -> f64 {
 mod tests {
     use super::*;
 
-    /// `x − 2 x³ + x⁴` on a beam of length one: 5/16 in the middle.
+    /// `x − 2 x³ + x⁴` on a beam of length one: 5/16 at midspan.
     #[test]
     fn a_free_beam_sags_by_five_sixteenths() {
         let v = Polynomial::new(&[0.0, 1.0, 0.0, -2.0, 1.0].map(Interval::exact));

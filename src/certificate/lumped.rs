@@ -1,13 +1,14 @@
-//! Contact forces at the nodes of equal intervals, computed under a load that was lumped at the same nodes.
+//! Contact forces at the nodes of equal intervals, computed under a load lumped at the same nodes.
 //!
-//! Between two nodes a distributed load bends the beam by the moment `q s (Δ − s)/2`, of mean `qΔ²/12`, which nodal loads leave
-//! out. So the same contact forces under the true load let the beam sag more, at the nodes by
+//! Between two nodes a distributed load bends the beam by the moment `q s (Δ − s)/2`, of mean `qΔ²/12`, which nodal loads omit. So the
+//! same contact forces under the true load cause a larger deflection, at the nodes by
 //!
 //! ```text
 //! q Δ² x (l − x) / (24 EI),      at mid-span q Δ² l² / (96 EI)
 //! ```
 //!
-//! where `q` is uniform. A program that lumped the load computed the deflection without that: it is the one to be bounded then.
+//! for uniform `q`. A program that lumped the load computed the deflection without this contribution, so this is the deflection to be
+//! bounded.
 
 use super::contact_load::{ContactLoad, NotAForce, deflection};
 use super::in_intervals;
@@ -16,66 +17,67 @@ use super::kernel::interval::Interval;
 use crate::scene::{Balance, Grid, Load, PointLoad, Scene, SceneError};
 use crate::state::{Discretisation, Nodes};
 
-/// Contact forces at all inner nodes of equal intervals, and the beam that bends under them and under the nodal loads (25),
-/// exact between the nodes. Forces that pull are cut off.
+/// Contact forces at all inner nodes of equal intervals, and the beam under them and under the nodal loads (25), exact between the
+/// nodes. Negative forces are cut off.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lumped {
-    /// The forces, at the places of the nodes.
+    /// The forces, at the positions of the nodes.
     pub load: ContactLoad,
-    /// The beam at its nodes but the ends that a support holds, in the units of the scene.
+    /// The beam at its nodes, except the ends that a support holds, in the units of the scene.
     pub nodes: Nodes,
     intervals: usize,
-    /// Clearances at the nodes of the feet of the springs that the ground is; on rigid ground those of the beam.
+    /// Clearances at the nodes of the feet of the foundation springs; on a rigid foundation the clearances of the beam.
     pub(super) feet: Vec<f64>,
 }
 
-/// Why contact forces do not belong to a load that is lumped at the nodes of equal intervals.
+/// The reason why contact forces do not match a load lumped at the nodes of equal intervals.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum NotLumped {
-    /// A force that is none.
+    /// A contact force is not valid.
     #[error(transparent)]
     Force(#[from] NotAForce),
     /// The scene leaves the range of `f64` when it is scaled.
     #[error(transparent)]
     Scene(#[from] SceneError),
-    /// No place between the supports.
+    /// There is no position between the supports.
     #[error("no place between the supports has a force; every inner node of equal intervals needs one, which may be 0")]
     NoNodes,
-    /// Supports that are no nodes, or forces that do not hold the beam.
+    /// A support is not at a node, or the forces do not hold the beam.
     #[error("on {intervals} equal intervals a support of the beam is no node, or the forces do not hold the beam")]
     NotHeld {
         /// Number of equal intervals.
         intervals: usize,
     },
-    /// A place that is no node.
+    /// A position is not at a node.
     #[error(
         "with forces at {count} places between the supports, place {index} would be x = {node} on equal intervals, but is x = {x}; \
          every inner node needs a force, which may be 0"
     )]
     NotANode {
-        /// Which place between the supports, from 1.
+        /// Number of the position between the supports, from 1.
         index: usize,
-        /// How many there are.
+        /// Number of these positions.
         count: usize,
-        /// Where it is.
+        /// The given position.
         x: f64,
-        /// Where it should be.
+        /// The position of the node.
         node: f64,
     },
 }
 
-/// How far a place may be from its node, as a share of an interval: places are printed with few digits.
+/// Largest distance of a position from its node, as a share of an interval: printed positions have few digits.
 const ROUNDED: f64 = 1e-2;
 
 impl Lumped {
-    /// Forces `(x, force)` in any order, one at every node but the ends that a support holds, zeros included, also at supports
-    /// inside; forces at one place add up, and those on the supports do not bend the beam. A beam that its supports do not hold
-    /// touches the ground where two of the forces are, the strongest and what presses most about it.
+    /// Computes the beam under forces `(x, force)`, given in any order. Every node needs a force, zeros included, also at supports
+    /// inside the beam, except the ends that a support holds. Forces at one position add up, and forces at supports do not bend the
+    /// beam. If its supports do not hold the beam, it touches the foundation at two of the forces: the largest one and the one with the
+    /// largest moment about it.
     ///
     /// # Errors
     ///
-    /// [`NotLumped`]: a force that is none, places that are not the inner nodes of equal intervals, or a beam of which statics does not say how it
-    /// bends: of that a [`Witness`](crate::Witness) knows more.
+    /// [`NotLumped`]: a force is not valid, the positions are not the inner nodes of equal intervals, or statics does not determine how
+    /// the beam bends; in the last case a [`Witness`](crate::Witness) can.
     pub fn new(scene: &Scene, forces: impl IntoIterator<Item = (f64, f64)>) -> Result<Self, NotLumped> {
         scene.bends_under_forces("a check under nodal loads")?;
         Self::bent_by(scene, forces, |lumped, pressing| {
@@ -83,7 +85,7 @@ impl Lumped {
         })
     }
 
-    /// The same of a beam that a dimensionless load and dimensionless forces bend as it is said.
+    /// The same for a beam whose deflection under a dimensionless load and dimensionless forces is computed by `bend`.
     pub(crate) fn bent_by(
         scene: &Scene,
         forces: impl IntoIterator<Item = (f64, f64)>,
@@ -92,7 +94,7 @@ impl Lumped {
         scene.is_placed_by_forces()?;
         let length = scene.beam().length();
         let mut inner = ContactLoad::sorted(length, forces)?;
-        // An end of the beam that a support holds does not bend it.
+        // A force at an end that a support holds does not bend the beam.
         let supported = |end: f64| scene.beam().supports().iter().any(|s| (s.at - end).abs() <= 0.0);
         let [left, right] = [0.0, length].map(supported);
         inner.retain(|f| (0.0 < f.0 || !left) && (f.0 < length || !right));
@@ -122,7 +124,7 @@ impl Lumped {
     }
 }
 
-/// The beam under nodal loads and contact forces at the nodes of a grid from the `first` one, in the units of the scene.
+/// The beam under nodal loads and contact forces at the nodes of a grid from the `first` one on, in the units of the scene.
 fn bent(
     given: &Scene,
     places: &Grid,
@@ -139,7 +141,7 @@ fn bent(
     let points = grid.nodal_loads(scene).into_iter().enumerate().map(point).collect();
     let load = Load::new(beam, 0.0, Vec::new(), points)?;
     let lumped = scene.under(load)?;
-    // Supports have any force, and what stands on them is none of theirs.
+    // A force given at a support does not bend the beam, since the support can have any reaction.
     let pressing = (first..).zip(&forces).filter(|(node, _)| !supports.contains(&Some(*node)));
     let pressing =
         ContactLoad::new(beam.length(), pressing.map(|(node, force)| (grid.place(node), force / scale.force)))?;

@@ -1,9 +1,9 @@
-//! What the greatest and the least bending moment of the beam lie between, from the gap alone: no further solve.
+//! Brackets of the greatest and the least bending moment of the beam, from the gap alone, without a further solve.
 //!
-//! The moments `M = −EI v̂''` of the pair and `M*` of the beam differ by `m` with `½ ∫ m²/EI dx ≤ gap`. Between supports
-//! `M*'' = p* − q` with `p* ≥ 0`, wherever and however concentrated contact is: `M*` is convex but for the load. Of two such functions
-//! that are close in the mean none has a narrow peak, so that they are close everywhere. For a function `φ` that begins at `x` with
-//! `φ = 0`, `φ' = −1` and ends with `φ = φ' = 0` before the next support, by parts
+//! The moments `M = −EI v̂''` of the pair and `M*` of the beam differ by `m` with `½ ∫ m²/EI dx ≤ gap`. Between supports `M*'' = p* − q`
+//! with `p* ≥ 0`, wherever contact is and however concentrated: `M*` is convex apart from the effect of the load. If two such functions
+//! are close in the mean, neither has a narrow peak, so they are close everywhere. For a function `φ` that begins at `x` with `φ = 0`,
+//! `φ' = −1` and ends with `φ = φ' = 0` before the next support, integration by parts gives
 //!
 //! ```text
 //! M*(x) = ∫ M* φ'' dx − ∫ φ dp* + ∫ q φ dx
@@ -11,35 +11,38 @@
 //! M*(x) ≥ ∫ M φ'' dx − |q| w²/3 − P w/3 − √(5 gap EI/w)
 //! ```
 //!
-//! with the point loads `P` within `2w`, to that side of `x` on which the next support is farther than `2w`. From above, at the distance `w` from
-//! supports, and with zero for `M` beyond a free end,
+//! with the point loads `P` within `2w`, on the side of `x` where the next support is farther than `2w`. The upper bound, at a distance
+//! of at least `w` from supports and with `M = 0` beyond a free end, is
 //!
 //! ```text
 //! φ = (w − |s|)²/4w:     M*(x) ≤ ∫ M dx/2w + |q| w²/6 + P w/4 + √(gap EI/w)
 //! ```
 //!
-//! At a support the first one is an equation where the beam is clear of the ground beside it, and nearer than `w` the moment is at
-//! most the larger one at both ends of that strip, and `|q| w²/8 + P w/4`. At a simple support inside one clear side is enough, since
-//! a couple by the ground on the other side bends the beam upwards; at the ends of the beam `M* ≤ 0` unless it is built in. Where the
-//! beam lies on the ground from a support on (`support_forces`), its moment there is that of the pair.
+//! At a support the first relation is an equation if the beam is clear of the foundation next to it. Nearer to the support than `w` the
+//! moment is at most the larger of the moments at both ends of that strip, plus `|q| w²/8 + P w/4`. At a simple support inside the beam,
+//! one clear side is enough, since a couple caused by the foundation on the other side bends the beam upwards. At the ends of the beam
+//! `M* ≤ 0` unless the beam is built in. Where the beam is in contact with the foundation from a support on (`support_forces`), its moment
+//! there is the moment of the pair.
 //!
-//! Over `2w` the moments of the pair change by no more than `V` times their length, and their jumps `J` at nodes. So both extremes are
-//! known, with any `w`, to
+//! Over `2w` the moments of the pair change by at most `V` times this length, plus their jumps `J` at nodes. So for any `w` both
+//! extremes are known to within
 //!
 //! ```text
 //! (V + P) w + |q| w²/2 + 3J/2 + √(5 gap EI/w)     least for w³ = 5 gap EI / 4 (V + P)²
 //! ```
 //!
-//! Couples are left out of all of this: both moments, without the steps that these make, are of the kind above, and the steps are known.
-//! `P` and `J` are sums over what is within `2w` of a place that is within `w` of another one: the greatest sum over any `8w` is enough.
+//! Couples are omitted from all of this: without the jumps that couples cause, both moments are of the kind above, and the jumps are
+//! known. `P` and `J` are sums over everything within `2w` of a position that is within `w` of another one, so the largest sum over any
+//! `8w` is enough.
 //!
-//! An axial force is a load `N v*''`, of which `N v̂''` is known and `∫ N (v* − v̂)'' φ dx` is by parts no more than `4 |N| max |v* − v̂|`.
+//! An axial force acts as a load `N v*''`. Of this `N v̂''` is known, and by parts `∫ N (v* − v̂)'' φ dx` is at most
+//! `4 |N| max |v* − v̂|`.
 //!
-//! Two solves of a beam with a kink at `x` bound `M*(x)` as well, since the energy is convex in the angle and its derivative is
-//! `−M*(x)`; but at one place each time, and to the root of what is rounded of an energy. A gap is of the size of the square of
-//! that, and this its third root.
+//! Two solves of a beam with a kink at `x` would also bound `M*(x)`, since the energy is convex in the angle and its derivative is
+//! `−M*(x)`. But they bound it at one position only, and only to the square root of the rounding of an energy. A gap has the size of the
+//! square of a rounding, and the bound here is proportional to its cube root.
 //!
-//! On an elastic foundation contact is never concentrated, and more is known (`on_springs`).
+//! On an elastic foundation contact is never concentrated, and sharper bounds exist (`on_springs`).
 
 mod on_springs;
 
@@ -53,7 +56,7 @@ use super::kernel::reference::OUTWARDS;
 use super::largest::extremes;
 use super::support_forces::clear_from;
 
-/// Bounds of the greatest and of the least moment; the former is [`None`] where nothing could be shown beside a support.
+/// Brackets of the greatest and of the least moment; the former is [`None`] if nothing could be proven next to a support.
 pub(super) fn moments(enclosed: &EnclosedScene<'_>, pair: &Pair) -> [Option<Interval>; 2] {
     if let Some(sprung) = &pair.ground {
         return on_springs::moments(enclosed, pair, sprung);
@@ -65,7 +68,8 @@ pub(super) fn moments(enclosed: &EnclosedScene<'_>, pair: &Pair) -> [Option<Inte
     let moment = |ends: [f64; 2], v: &Polynomial| (ends, moment(ends, v));
     let pieces: Vec<([f64; 2], Polynomial)> = pair.pieces.iter().map(|p| moment([p.from, p.to], &p.v)).collect();
     let [greatest, least] = extremes(pieces.iter().copied());
-    // Where the beam is not built in at an end, there is a moment of zero; couples by the ground beside it leave others near by.
+    // At an end where the beam is not built in the moment is zero; couples caused by the foundation next to it leave other moments
+    // nearby.
     let is_loaded = |x: f64| enclosed.load.couples.iter().any(|(at, _)| at.total_cmp(&x).is_eq());
     let is_hinge = |x: f64| enclosed.support(x).is_none_or(|support| !support.holds_slope()) && !is_loaded(x);
     let zero = if is_hinge(0.0) || is_hinge(length) { 0.0 } else { f64::NEG_INFINITY };
@@ -79,9 +83,9 @@ pub(super) fn moments(enclosed: &EnclosedScene<'_>, pair: &Pair) -> [Option<Inte
     ]
 }
 
-/// How far both extremes may be off, and whether that is so for the greatest moment as well.
+/// The error bound of both extremes, and whether it is valid for the greatest moment as well.
 fn error(enclosed: &EnclosedScene<'_>, pair: &Pair, pieces: &[([f64; 2], Polynomial)]) -> Option<(f64, bool)> {
-    /// Shares of what lies between two supports and of what is clear that windows of `4w` and `2w` take: no more than a whole.
+    /// Windows of `4w` and `2w` as shares of the distance between two supports and of the clear length: just below one.
     const WITHIN: [f64; 2] = [0.249, 0.499];
     let EnclosedScene { stiffest: stiffness, length, supports, load, .. } = *enclosed;
     let width = |ends: &[f64; 2]| Interval::length(ends[0], ends[1]);
@@ -120,7 +124,8 @@ fn error(enclosed: &EnclosedScene<'_>, pair: &Pair, pieces: &[([f64; 2], Polynom
     (error.is_finite() && 0.0 < w).then_some((error * OUTWARDS, 0.0 < beside))
 }
 
-/// The load `|N v̂''|` that an axial force is at most, and what it makes of `v* − v̂`; [`None`] with joints, where it is concentrated as well.
+/// The largest load `|N v̂''|` of an axial force, and the contribution of `v* − v̂`; [`None`] with joints, where this load is also
+/// concentrated.
 fn axial(enclosed: &EnclosedScene<'_>, pair: &Pair, pieces: &[([f64; 2], Polynomial)]) -> Option<(f64, f64)> {
     let force = enclosed.tension.abs();
     if force == 0.0 {
@@ -132,7 +137,7 @@ fn axial(enclosed: &EnclosedScene<'_>, pair: &Pair, pieces: &[([f64; 2], Polynom
     Some((force * bent.fold(0.0, f64::max) / enclosed.stiffness * OUTWARDS, 4.0 * force * off * OUTWARDS))
 }
 
-/// At least the greatest sum of what is at places, from left to right, in a window of this width.
+/// An upper bound of the largest sum of sizes in a window of this width; the positions are sorted from left to right.
 fn within(places: &[(f64, f64)], width: f64) -> f64 {
     let (mut most, mut sum, mut first, mut total) = (0.0_f64, 0.0, 0, 0.0);
     for (x, size) in places {
@@ -143,13 +148,13 @@ fn within(places: &[(f64, f64)], width: f64) -> f64 {
         }
         most = most.max(sum);
     }
-    // Each of the sums and differences is rounded by its own size, which is less than the total.
+    // Each sum and difference is rounded in proportion to its own size, which is less than the total.
     #[expect(clippy::cast_precision_loss, reason = "a count, and more than twice as many roundings as there are")]
     let roundings = 4.0 * (places.len() as f64) * f64::EPSILON;
     (most + roundings * total) * OUTWARDS
 }
 
-/// How far beside a support the moment there is known from above: zero where it is not.
+/// The distance next to a support within which an upper bound of the moment is known; zero if there is none.
 fn known_beside(enclosed: &EnclosedScene<'_>, pair: &Pair, k: usize) -> f64 {
     let EnclosedSupport { x, .. } = enclosed.supports[k];
     let supports = enclosed.supports;
@@ -174,7 +179,7 @@ fn known_beside(enclosed: &EnclosedScene<'_>, pair: &Pair, k: usize) -> f64 {
 mod tests {
     use super::within;
 
-    /// A window has room for what is at both of its ends, and for all of what is at one place.
+    /// A window includes both of its ends, and everything at one position.
     #[test]
     fn the_fullest_window_counts() {
         let places = [(0.0, 1.0), (1.0, 4.0), (1.0, 3.0), (2.5, 2.0), (4.0, 6.0), (9.0, 5.0)];

@@ -1,4 +1,4 @@
-//! From a proven pair to other quantities than the deflection: energy, and the paper's structural stiffness.
+//! Other quantities than the deflection from a proven pair: the energy, and the paper's structural stiffness.
 
 use super::kernel::contact_node::EnclosedScene;
 use super::kernel::interval::Interval;
@@ -6,7 +6,8 @@ use super::kernel::polynomial::Polynomial;
 use super::kernel::proof::Piece;
 use crate::scene::{Concentrated, Load};
 
-/// `J(v) = ½∫EI v''² dx + ½∫N v'² dx − ∫q v dx − Σ P v − Σ C v'` of a deflection, (17) with point loads and couples. Pieces end where the load changes.
+/// `J(v) = ½∫EI v''² dx + ½∫N v'² dx − ∫q v dx − Σ P v − Σ C v'` of a deflection, (17) with point loads and couples. Pieces must end
+/// where the load changes.
 pub(super) fn energy(pieces: &[Piece], enclosed: &EnclosedScene<'_>) -> Interval {
     let load = enclosed.load;
     let mut sum = Interval::ZERO;
@@ -24,7 +25,7 @@ pub(super) fn energy(pieces: &[Piece], enclosed: &EnclosedScene<'_>) -> Interval
             + load.couple(*from) * v.derivative().at(Interval::ZERO);
         sum = sum + bending - done;
     }
-    // At the right end no piece begins.
+    // No piece begins at the right end.
     if let Some(Piece { from, to, v, .. }) = pieces.last() {
         let width = Interval::length(*from, *to);
         sum = sum - load.point(*to) * v.at(width) - load.couple(*to) * v.derivative().at(width);
@@ -32,17 +33,17 @@ pub(super) fn energy(pieces: &[Piece], enclosed: &EnclosedScene<'_>) -> Interval
     sum
 }
 
-/// The structural stiffness from bounds on the energy, and the load with its resultant `Q`.
+/// Bounds of the structural stiffness from bounds of the energy and the load with its resultant `Q`.
 ///
-/// The paper does not define `D`. A linear structure that its load pushes down by `w`, taken as the mean deflection under
-/// the load, has `J* = −½ Q w` and the stiffness `D = Q / w`; hence
+/// The paper does not define `D`. A linear structure whose load displaces it by `w`, the mean deflection under the load, has
+/// `J* = −½ Q w` and the stiffness `D = Q / w`; hence
 ///
 /// ```text
 /// D = Q² / (−2 J*),      Q² / (−2 energy_lower) ≤ D ≤ Q² / (−2 energy_upper)
 /// ```
 ///
-/// For a beam that touches, this is the stiffness of the linear structure that takes up the same energy. The
-/// complementary energy gives the lower bound and the potential energy the upper one.
+/// For a beam in contact, this is the stiffness of the linear structure with the same energy. The complementary energy gives the lower
+/// bound and the potential energy the upper one.
 #[must_use]
 pub fn stiffness([lower, upper]: [f64; 2], load: &Load, length: f64) -> Option<[f64; 2]> {
     if !(lower.is_finite() && upper < 0.0) {
@@ -53,7 +54,7 @@ pub fn stiffness([lower, upper]: [f64; 2], load: &Load, length: f64) -> Option<[
     Some([half(lower).lo().max(0.0), half(upper).hi()])
 }
 
-/// `Q`, in which parts of a load may cancel.
+/// `Q`; parts of a load may cancel.
 pub(super) fn resultant(load: &Load, length: f64) -> Interval {
     let exact = Interval::exact;
     let linear =
@@ -62,7 +63,7 @@ pub(super) fn resultant(load: &Load, length: f64) -> Interval {
     linear.chain(concentrated).fold(exact(load.uniform()) * exact(length), |sum, part| sum + part)
 }
 
-/// `∫ q (x − c)` with all couples, the moment of a load about a place.
+/// `∫ q (x − c)` with all couples, the moment of a load about a position.
 pub(super) fn moment(load: &Load, length: f64, about: f64) -> Interval {
     let exact = Interval::exact;
     let (lever, l) = (|x: f64| exact(x) - exact(about), exact(length));

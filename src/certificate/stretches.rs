@@ -1,27 +1,28 @@
-//! A witness on ground that gives: parts of the beam, and how the pressed ones are sunk, from any source; cut for the kernel.
+//! A candidate contact list on an elastic foundation: parts of the beam and the penetration of the pressed ones, from any source; cut
+//! for the kernel.
 
 use super::kernel::contact_node::EnclosedScene;
 use super::kernel::springs::MOST_TERMS;
 pub use super::kernel::springs::Stretch;
 
-/// Cells in a length of `1/λ`, `4λ⁴ = k/EI`: what [`MOST_TERMS`] coefficients leave out is a billionth then (*tuned* with them).
+/// Cells in a length of `1/λ`, `4λ⁴ = k/EI`: the terms beyond [`MOST_TERMS`] coefficients are then a billionth (*tuned* with them).
 const CELLS_IN_A_LENGTH: f64 = 8.0;
 
-/// A stretch that is longer is deep in a zone, and its polynomial is known to the last coefficient.
+/// A stretch longer than this number of lengths `1/λ` is deep in a zone, and its polynomial is known to the last coefficient.
 const MOST_LENGTHS: f64 = 2.0;
 
-/// Cells of a short stretch at most, and of all short stretches together where there are many. A beam that the ground holds in one stretch
-/// is held by two of its cells that are apart and on which it is sunk all over.
+/// Smallest number of cells of a short stretch, and of all short stretches together if there are many. If the foundation holds the beam
+/// in one stretch, two of its cells hold it that are apart and pressed everywhere.
 const FEWEST: [f64; 2] = [6.0, 24.0];
 
-/// A stretch shorter than this share of all that presses is not cut into several cells.
+/// A stretch shorter than this share of all pressed stretches is not cut into several cells.
 const SHORTEST: f64 = 1e-3;
 
-/// What hangs over a smaller share of the beam may be taken for pressed together with the stretch beside it.
+/// A part that hangs over less than this share of the beam may be treated as pressed, together with the stretch next to it.
 const SHORT: f64 = 1e-5;
 
-/// The stretches of a scene in dimensionless numbers, cut where ground or load have a break and into short cells; what hangs is one
-/// stretch from support to support or pressed part.
+/// The stretches of a scene in dimensionless numbers, cut at the breaks of foundation and load and into short cells. A part that hangs
+/// is one stretch, from one support or pressed part to the next.
 pub(super) fn cut(enclosed: &EnclosedScene<'_>, given: &[Stretch]) -> Vec<Stretch> {
     let mut cut = Vec::new();
     let joined = joined(enclosed, given);
@@ -39,7 +40,7 @@ pub(super) fn cut(enclosed: &EnclosedScene<'_>, given: &[Stretch]) -> Vec<Stretc
             cells(enclosed, width, &stretch, &mut cut);
         }
     }
-    // From derivatives to moment and vertical force.
+    // Replaces derivatives by moment and vertical force.
     for stretch in &mut cut {
         let (presses, at) = (!stretch.sunk.is_empty(), [(stretch.from, false), (stretch.to, true)]);
         for (end, (x, left)) in stretch.ends.iter_mut().zip(at) {
@@ -54,7 +55,7 @@ pub(super) fn cut(enclosed: &EnclosedScene<'_>, given: &[Stretch]) -> Vec<Stretc
     cut
 }
 
-/// `1/λ` of a stretch, without end where there is no ground, and no more than `1/μ` under an axial force.
+/// `1/λ` of a stretch, infinite where there is no foundation, and at most `1/μ` under an axial force.
 fn length(enclosed: &EnclosedScene<'_>, stretch: &Stretch) -> f64 {
     let ends = [stretch.from, stretch.to];
     let stiffness = enclosed.stiffness_between(ends);
@@ -62,7 +63,7 @@ fn length(enclosed: &EnclosedScene<'_>, stretch: &Stretch) -> f64 {
     if enclosed.tension == 0.0 { decay } else { decay.min((stiffness / enclosed.tension.abs()).sqrt()) }
 }
 
-/// What hangs between two supports or pressed stretches as one stretch.
+/// Joins the parts that hang between two supports or pressed stretches into one stretch.
 fn spans(enclosed: &EnclosedScene<'_>, given: &[Stretch]) -> Vec<Stretch> {
     let mut spans: Vec<Stretch> = Vec::new();
     for stretch in given {
@@ -77,7 +78,7 @@ fn spans(enclosed: &EnclosedScene<'_>, given: &[Stretch]) -> Vec<Stretch> {
     spans
 }
 
-/// With what hangs in one, and without what hangs over next to nothing.
+/// The stretches with each hanging part as one stretch, and without parts that hang over a negligible length.
 fn joined(enclosed: &EnclosedScene<'_>, given: &[Stretch]) -> Vec<Stretch> {
     let mut joined: Vec<Stretch> = Vec::new();
     let mut stretches = spans(enclosed, given).into_iter().peekable();
@@ -100,8 +101,9 @@ fn joined(enclosed: &EnclosedScene<'_>, given: &[Stretch]) -> Vec<Stretch> {
     without_slivers(enclosed, joined)
 }
 
-/// Whether a stretch that hangs may be taken for pressed: it is short, ground and load have one formula all over it, and the tension that
-/// this cuts off costs less than the rounding of its curvature does, a difference of two given depths or slopes over its width.
+/// Whether a stretch that hangs may be treated as pressed. It must be short, foundation and load must have one formula on it, and the
+/// tension that this cuts off must cost less than the rounding of its curvature, a difference of two given depths or slopes over its
+/// width.
 fn is_negligible(enclosed: &EnclosedScene<'_>, stretch: &Stretch, sunk: [f64; 2]) -> bool {
     let ends = [stretch.from, stretch.to];
     let [ground, stiffness] = [enclosed.ground_between(ends), enclosed.stiffness_between(ends)];
@@ -116,21 +118,21 @@ fn is_negligible(enclosed: &EnclosedScene<'_>, stretch: &Stretch, sunk: [f64; 2]
     }
     let most = |of: [f64; 2]| of[0].abs().max(of[1].abs());
     let rounding = |derivative: usize| f64::EPSILON * most(stretch.ends.map(|end| end[derivative]));
-    // At a support the kernel knows the depth, elsewhere what the ground rises by.
+    // At a support the kernel knows the depth, elsewhere the rise of the foundation.
     let is_held = [stretch.from, stretch.to].iter().any(|x| enclosed.support(*x).is_some());
     let bent = 6.0 / width * if is_held { rounding(0) / width } else { rounding(1) };
     ground * most(sunk) * most(sunk) <= stiffness * bent * bent
 }
 
-/// True where neither ground nor load nor beam nor a support makes a difference between the two sides.
+/// True if foundation, load and beam are smooth at a position and there is no support.
 fn is_smooth(enclosed: &EnclosedScene<'_>, x: f64) -> bool {
     let is_loaded_alike = enclosed.breaks(x.next_down(), x.next_up()).is_empty();
     enclosed.support(x).is_none() && enclosed.gap.is_smooth_at(x) && is_loaded_alike
 }
 
-/// Continues polynomials over what is far shorter beside them: over a short cell curvatures are rounding.
+/// Extends polynomials over far shorter neighbouring stretches: over a short cell curvatures consist of rounding.
 fn without_slivers(enclosed: &EnclosedScene<'_>, stretches: Vec<Stretch>) -> Vec<Stretch> {
-    /// Of the stretch beside it: so far a polynomial may be continued.
+    /// Share of the neighbouring stretch over which its polynomial may be extended.
     const SLIVER: f64 = 0.2;
     let mut whole: Vec<Stretch> = Vec::new();
     let mut rest = stretches.into_iter().peekable();
@@ -155,13 +157,13 @@ fn without_slivers(enclosed: &EnclosedScene<'_>, stretches: Vec<Stretch>) -> Vec
     whole
 }
 
-/// A pressed stretch by cells of at most this width.
+/// Divides a pressed stretch into cells of at most this width.
 fn cells(enclosed: &EnclosedScene<'_>, most: f64, stretch: &Stretch, cut: &mut Vec<Stretch>) {
     let (from, to) = (stretch.from, stretch.to);
     let most = most.min(to - from);
     let (breaks, loads) = (enclosed.gap.breaks(from, to), enclosed.breaks(from, to));
     let (smooth, mut ends): (Vec<f64>, Vec<f64>) = breaks.into_iter().partition(|x| enclosed.gap.is_smooth_at(*x));
-    // As many cells as a smooth profile has, and no other ends of its.
+    // The breaks of a smooth profile determine only the number of cells, not their ends.
     let most =
         smooth.iter().fold((to - from, 1.0), |(_, count), _| ((to - from) / (count + 1.0), count + 1.0)).0.min(most);
     ends.extend(loads.into_iter().chain([from, to]));

@@ -1,41 +1,41 @@
-//! What forces at the nodes of a grid do to a beam: moments are summed up from forces, and deflections from moments.
+//! The beam under forces at the nodes of a grid: moments are summed from forces, and deflections from moments.
 //!
 //! ```text
 //! M_i = M_{i−1} + V_{i−1} Δ,   V_i = V_{i−1} − t_i              M_0 = 0,  V_0 = −t_0
 //! v_i = v_{i−1} + θ_{i−1} Δ,   θ_i = θ_{i−1} − (Δ/EI) c_i
 //! ```
 //!
-//! with the forces `t` downwards, those of the supports among them, and the curvature share `c_i = M_i` of finite differences or
-//! `(M_{i−1} + 4 M_i + M_{i+1})/6` of an exact beam. Both are the same [`DoubleSum`]. Where the beam is built in, `M` jumps by the
-//! couple that the support exerts. Where its stiffness changes, each side of the node has a half of `c` with its own `EI`; in a joint `θ`
-//! jumps by `−M/k`, and in a hinge by what is given. No system is solved: the force and the moment behind the right end are left over, and deflections
-//! start at a given level and slope.
+//! with the downward forces `t`, including reactions, and the curvature share `c_i = M_i` for finite differences or
+//! `(M_{i−1} + 4 M_i + M_{i+1})/6` for an exact beam. Both use the same [`DoubleSum`]. Where the beam is built in, `M` jumps by the
+//! couple of the support. Where its stiffness changes, each side of the node has a half of `c` with its own `EI`. In a joint `θ` jumps
+//! by `−M/k`, and in a hinge by a given value. No system of equations is solved: the force and the moment beyond the right end remain as
+//! residuals, and deflections start at a given level and slope.
 //!
-//! Under an axial force `N` the sums of forces are `M + N v`, of which `N` times a deflection that is given is taken; an exact beam then has
-//! `c_i = s₂ M_{i−1} + 2 s₁ M_i + s₂ M_{i+1}` with `z = N Δ²/EI` (`scene::axial`).
+//! Under an axial force `N` the sums of forces are `M + N v`, from which `N` times a given deflection is subtracted. An exact beam then
+//! has `c_i = s₂ M_{i−1} + 2 s₁ M_i + s₂ M_{i+1}` with `z = N Δ²/EI` (`scene::axial`).
 
 use super::double_sum::DoubleSum;
 use crate::scene::Beam;
 use crate::scene::axial::turns_of_any;
 use crate::state::Discretisation;
 
-/// Nodes of a step of a walk: few enough for the nearest cache.
+/// Nodes per step of a walk: few enough for the fastest cache.
 pub(super) const BATCH: usize = 256;
 
-/// A node at which the beam changes, or is held against turning.
+/// A node at which the beam changes, or at which a support restrains its rotation.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Change {
     pub(super) node: usize,
-    /// By how much the moment is larger behind it, where a support holds the slope \[force · length\].
+    /// The increase of the moment there, where a support holds the slope \[force · length\].
     pub(super) couple: Option<f64>,
-    /// The least bending stiffness over that of the beam behind it, where that changes.
+    /// The least bending stiffness over the bending stiffness to the right, where it changes.
     pub(super) soft: Option<f64>,
-    /// How far a joint turns for each unit of its moment, [`f64::INFINITY`] of a hinge.
+    /// The rotation of a joint per unit of its moment, [`f64::INFINITY`] for a hinge.
     pub(super) joint: f64,
 }
 
 impl Change {
-    /// Whether it is a hinge.
+    /// Whether the node is a hinge.
     pub(super) fn is_hinge(&self) -> bool {
         self.joint.is_infinite()
     }
@@ -44,11 +44,11 @@ impl Change {
 /// Neighbouring nodes of a walk.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Walked<'a> {
-    /// The first of them.
+    /// The first of these nodes.
     pub(super) first: usize,
     /// `M_i/Δ` to their left \[force\].
     pub(super) moments: &'a [f64],
-    /// By how much that is larger to their right: not zero at a single node only.
+    /// The increase of `M_i/Δ` at the node; nonzero only if there is a single node.
     pub(super) jump: f64,
     /// `v_i`.
     pub(super) deflections: &'a [f64],
@@ -58,19 +58,20 @@ pub(super) struct Walked<'a> {
 #[derive(Debug, Clone)]
 pub(super) struct Summed {
     step: f64,
-    /// Shares of the moments `M/Δ` at a node and at one beside it in what the slope changes by on one side of the node.
+    /// Factors of the moments `M/Δ` at a node and at its neighbour in the change of slope on one side of the node.
     shares: [f64; 2],
-    /// `N Δ²/EI` of a beam between the nodes of which that counts.
+    /// `N Δ²/EI`, if the beam between the nodes takes the axial force into account; otherwise zero.
     pull: f64,
     /// `M_i/Δ` to the left of all nodes \[force\].
     moments: Vec<f64>,
     changes: Vec<Change>,
-    /// The shear force and the moment behind the right end, which are zero in equilibrium.
+    /// The shear force and the moment beyond the right end, which are zero in equilibrium.
     pub(super) left_over: [f64; 2],
 }
 
 impl Summed {
-    /// From forces at all nodes, at a distance of `step`, and what changes, from left to right, of a beam of a least bending stiffness.
+    /// Sums forces at all nodes, with the spacing `step`. `changes` are sorted from left to right, and `stiffness` is the least bending
+    /// stiffness.
     pub(super) fn of(
         mut forces: Vec<f64>,
         changes: Vec<Change>,
@@ -110,7 +111,7 @@ impl Summed {
         Self { moments, left_over, pull, ..self }
     }
 
-    /// The shares on a part of the beam that is so soft.
+    /// The factors on a part of the beam with this relative flexibility.
     fn shares_of(&self, soft: f64) -> [f64; 2] {
         if self.pull == 0.0 {
             return self.shares;
@@ -119,13 +120,14 @@ impl Summed {
         [3.0 * self.shares[0] * near, 6.0 * self.shares[1] * far]
     }
 
-    /// By how much the slope changes between a node and the interval beside it.
+    /// The change of slope between a node and the adjacent interval.
     fn turn([near, far]: [f64; 2], own: f64, beside: f64) -> f64 {
         near * own + far * beside
     }
 
-    /// Along the whole beam, some nodes at a time, with a given deflection at the left end, a slope in the first interval, and what the slope
-    /// grows by in each hinge, nothing where none is given. Returns the slopes of the tangents where a support holds the slope.
+    /// Walks along the whole beam, some nodes at a time, with a given deflection at the left end and a given slope in the first
+    /// interval. `kinks` are the increases of the slope in the hinges, zero if none are given. Returns the slopes of the tangents where
+    /// a support holds the slope.
     pub(super) fn walk(
         &self,
         deflection: f64,

@@ -1,24 +1,24 @@
-//! What the forces of the supports and of all contacts together lie between.
+//! Brackets of the reactions and of the total contact force.
 //!
-//! The moment fields of the pair and of the beam differ by `m` with `½ ∫ m²/EI dx ≤ gap`. Where the clearance of `v̂` is larger than
-//! the bound on `|v̂ − v*|` the true beam does not touch either. If that is so up to the distance `c` from a support, and the contact
-//! load of the pair is zero there as well, both moment fields have `M'' = −q`, so that they differ by a line, and
+//! The moment fields of the pair and of the beam differ by `m` with `½ ∫ m²/EI dx ≤ gap`. Where the clearance of `v̂` is larger than the
+//! bound on `|v̂ − v*|`, the true beam is not in contact. If this is true up to the distance `c` from a support, and the contact load of
+//! the pair is zero there as well, both moment fields have `M'' = −q`, so that they differ by a line, and
 //!
 //! ```text
 //! ½ ∫₀^c (m + κ x)²/EI dx ≤ gap:     |M'(x) − M*'(x)| = |κ| ≤ √( 24 EI gap / c³ ),     √( 6 EI gap / c³ ) for m = 0
 //! ```
 //!
-//! If it is so all the way to a free end, nothing differs on that side, and beside a simple support `m = 0` on the other one.
+//! If this is true all the way to a free end, nothing differs on that side, and at a simple support `m = 0` on the other side.
 //!
-//! Where the ground begins at the level of a support, the clearance and its bound both vanish there, and their quotients by the
-//! distance are compared. What ground and support exert at one place cannot be told apart: a force there is that of both.
+//! Where the foundation begins at the level of a support, the clearance and its bound both vanish there, and their quotients by the
+//! distance are compared. Forces of foundation and support at one position cannot be distinguished: the force there is the sum of both.
 //!
-//! Where no more than two supports and no ground can carry a beam, its forces follow from statics alone.
+//! If at most two supports and no foundation can carry a beam, its reactions follow from statics alone.
 //!
 //! Under an axial force the vertical forces differ by such a `κ` (`under_axial_force`).
 //!
-//! A support that only pushes is a point of the ground. Where the beam is clear of the ground beside it, its force follows in the
-//! same way; where the beam is clear of it, it is zero.
+//! A compression-only support is a point of the foundation. If the beam is clear of the foundation next to it, its reaction follows in
+//! the same way. If the beam is clear of the support, its reaction is zero.
 
 mod axial;
 
@@ -36,8 +36,8 @@ use super::largest::least_magnitude;
 use super::quantities::{moment, resultant};
 use crate::scene::{Load, Scene};
 
-/// The forces of the supports from left to right under this load of a scene, and that of all contacts: what the supports leave of it, and
-/// never less than nothing. [`None`] where nothing could be shown.
+/// Brackets of the reactions from left to right under this load of a scene, and of the total contact force. The total contact force is
+/// the load minus the reactions, and never negative. [`None`] where nothing could be proven.
 pub(super) fn forces(
     scene: &Scene,
     load: &Load,
@@ -61,16 +61,17 @@ pub(super) fn forces(
     (supports, contact)
 }
 
-/// The same on ground that gives. With `φ = 1` at a support, zero at the others, and no slope where a support holds it,
+/// The reactions on an elastic foundation. With `φ = 1` at a support, zero at the others, and no slope where a support holds it,
 ///
 /// ```text
 /// R = ∫ q φ dx − ∫ p φ dx + ∫ M φ'' dx,    ½∫ (M − M*)²/EI + ½∫ (p − p*)²/k ≤ gap
 /// |R − R*| ≤ √( 2 gap ∫ (EI φ''² + k φ²) dx ),    φ = 1 − 3t² + 2t³ for t = s/w:    12 EI/w³ + 13 k w/35 on each side
 /// ```
 ///
-/// (under an axial force twice that, and `pulled`) with the greatest `EI` and `k`, for the forces of the pair, least where `w⁴ = 36·35 EI / 13 k`. Where statics alone give the forces of the supports, `φ` is a line, with
-/// `∫ k φ² dx` alone, which is less on soft ground. `R` is one of the reactions of the pair, which enclose what is cut off: each
-/// support takes no more than the share that is added on both sides.
+/// (under an axial force twice that, and `pulled`) with the greatest `EI` and `k`, for the forces of the pair. The bound is least for
+/// `w⁴ = 36·35 EI / 13 k`. If statics alone determines the reactions, `φ` is a line, and only `∫ k φ² dx` remains, which is smaller on a
+/// soft foundation. `R` is a reaction of the pair. Its enclosure includes the tension that is cut off: each support carries at most the
+/// share that is added on both sides.
 fn on_springs(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Interval> {
     let [k, stiffness] = [enclosed.stiffest_ground(), enclosed.stiffest].map(Interval::exact);
     let widest = (36.0 * 35.0 / 13.0 * enclosed.stiffest / enclosed.stiffest_ground()).sqrt().sqrt();
@@ -84,7 +85,7 @@ fn on_springs(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Interval> {
         let before = i.checked_sub(1).map_or(x, |i| Interval::length(all[i], x).lo());
         let end = Interval::length(x, enclosed.length).lo();
         let after = all.get(i + 1).map_or(end, |next| Interval::length(x, *next).lo());
-        // At an end of the beam there is one side.
+        // At an end of the beam there is only one side.
         let widths = [before, after].map(|room| room.min(widest)).into_iter().filter(|width| 0.0 < *width);
         let bent = widths.clone().map(side).fold(Interval::ZERO, |sum, side| sum + side);
         if enclosed.tension != 0.0 {
@@ -97,7 +98,7 @@ fn on_springs(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Interval> {
     supports_of(enclosed, pair).into_iter().enumerate().map(bracket).collect()
 }
 
-/// The forces of all supports in the pair; those that only push and that it does not touch exert none.
+/// The reactions of all supports in the pair; zero for compression-only supports that the pair does not touch.
 fn supports_of(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Interval> {
     let at = |x: f64| pair.carried.iter().find(|(place, _)| place.total_cmp(&x).is_eq());
     let force = |x: f64| match enclosed.said_at(x) {
@@ -108,7 +109,7 @@ fn supports_of(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Interval> {
 }
 
 impl EnclosedScene<'_> {
-    /// Where all supports are, those that only push among them, from left to right.
+    /// Positions of all supports, including compression-only ones, from left to right.
     pub(super) fn all_supports(&self) -> Vec<f64> {
         let mut all: Vec<f64> = self.supports.iter().map(|s| s.x).collect();
         all.extend(self.gap.ground.bearings.iter().map(|p| p[0]).chain(self.said.iter().map(|said| said.x)));
@@ -117,24 +118,24 @@ impl EnclosedScene<'_> {
         all
     }
 
-    /// True where a support stands that only pushes, and no spring that is pressed.
+    /// Whether a compression-only support is at a position, except an elastic one that is pressed.
     pub(super) fn pushes_at(&self, x: f64) -> bool {
         !inside(self.gap.ground.bearings, x.next_down(), x.next_up()).is_empty() || self.idle_at(x).is_some()
     }
 
-    /// A support that gives, as a load.
+    /// The elastic support at a position, if it is treated as a load.
     fn said_at(&self, x: f64) -> Option<&SaidSpring> {
         self.said.iter().find(|said| said.x.total_cmp(&x).is_eq())
     }
 
-    /// The level of a spring that only pushes and is said not to be pressed.
+    /// The level of a compression-only spring that is not pressed according to the candidate contact list.
     fn idle_at(&self, x: f64) -> Option<Interval> {
         let idle = self.said_at(x).filter(|said| said.gives.pushes && said.force <= 0.0)?;
         idle.gives.spring.map(|[_, level]| level)
     }
 }
 
-/// `∫ φ² dx` of the line that is 1 at a support and 0 at the other one, or 1 everywhere where there is no other; [`None`] where none is
+/// `∫ φ² dx` of the line that is 1 at a support and 0 at the other one, or 1 everywhere if there is no other; [`None`] if no line is
 /// admissible.
 fn straight(enclosed: &EnclosedScene<'_>, i: usize) -> Option<Interval> {
     let length = Interval::exact(enclosed.length);
@@ -152,8 +153,8 @@ fn straight(enclosed: &EnclosedScene<'_>, i: usize) -> Option<Interval> {
     }
 }
 
-/// Without ground, where the beam is proven to be clear of all supports but two, and is built in at none: whatever the deflection is
-/// rounded by, statics say what they carry.
+/// The reactions by statics. This requires that there is no foundation, that the beam is proven to be clear of all supports except two,
+/// and that no support holds its slope. The rounding of the deflection then has no influence.
 fn by_statics(scene: &Scene, load: &Load, enclosed: &EnclosedScene<'_>, pair: &Pair) -> Option<Vec<Option<Interval>>> {
     let (all, factor) = (enclosed.all_supports(), factor(pair.gap, enclosed.stiffness));
     let is_free = scene.foundation().is_none()
@@ -163,7 +164,7 @@ fn by_statics(scene: &Scene, load: &Load, enclosed: &EnclosedScene<'_>, pair: &P
     let touched: Vec<f64> = all.iter().copied().filter(|x| is_free && touches(x)).collect();
     let [a, b] = touched[..] else { return None };
     let apart = Interval::length(a, b);
-    // The axial force turns a beam that is held at its two ends by the difference of their levels.
+    // The axial force acts on a beam with supports at its two ends through the difference of their levels.
     let pulled = if enclosed.tension == 0.0 {
         Interval::ZERO
     } else {
@@ -186,7 +187,7 @@ fn by_statics(scene: &Scene, load: &Load, enclosed: &EnclosedScene<'_>, pair: &P
 }
 
 fn supports(enclosed: &EnclosedScene<'_>, pair: &Pair, load: Interval) -> Vec<Option<Interval>> {
-    // Of a pair without a gap the moments are the true ones.
+    // For a pair without a gap the moments are the true ones.
     if pair.gap <= 0.0 {
         return supports_of(enclosed, pair).into_iter().map(Some).collect();
     }
@@ -228,7 +229,7 @@ fn supports(enclosed: &EnclosedScene<'_>, pair: &Pair, load: Interval) -> Vec<Op
         let force = force + Interval::around_zero(turns.hi());
         Some(if enclosed.pushes_at(x) { force.not_negative() } else { force })
     };
-    // A spring says its force by itself, too.
+    // A spring also has a bracket of its own.
     let sprung = |(k, force): (usize, Interval)| {
         let own = own_bracket(enclosed, pair, all[k], force);
         let known = if enclosed.said_at(all[k]).is_some_and(|said| said.force.abs() > 0.0) {
@@ -242,7 +243,7 @@ fn supports(enclosed: &EnclosedScene<'_>, pair: &Pair, load: Interval) -> Vec<Op
     supports_of(enclosed, pair).into_iter().enumerate().map(sprung).collect()
 }
 
-/// What the force of a spring lies between by its own share in the gap, `(R − R*)²/2k`; [`None`] of what does not give.
+/// The bracket of a spring force from its own contribution to the gap, `(R − R*)²/2k`; [`None`] for a rigid support.
 fn own_bracket(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, force: Interval) -> Option<Interval> {
     let of_support = || enclosed.support(x).and_then(|support| support.gives);
     let gives = enclosed.said_at(x).map(|said| said.gives).or_else(of_support)?;
@@ -251,17 +252,17 @@ fn own_bracket(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, force: Interva
     Some(if gives.pushes { bracket.positive_part() } else { bracket })
 }
 
-/// Whether the beam is proven to be clear of the support that only pushes at a place.
+/// Whether the beam is proven to be clear of the compression-only support at a position.
 fn is_clear_of(enclosed: &EnclosedScene<'_>, pair: &Pair, factor: f64, x: f64) -> bool {
     on_part(pair, factor, [x, x]) < clear_of(enclosed, piece_at(pair, x), x).lo()
 }
 
-/// The piece on which a place is, of two the left one.
+/// The piece that contains a position; if there are two, the left one.
 pub(super) fn piece_at(pair: &Pair, x: f64) -> &Piece {
     &pair.pieces[pair.pieces.partition_point(|piece| piece.to < x).min(pair.pieces.len() - 1)]
 }
 
-/// How far a piece is clear of what is below it at a place.
+/// The clearance of a piece at a position, from the foundation or from a support there.
 fn clear_of(enclosed: &EnclosedScene<'_>, piece: &Piece, x: f64) -> Interval {
     let v = piece.v.at(Interval::length(piece.from, x));
     let clear = enclosed.gap.depth(x) - v;
@@ -270,7 +271,7 @@ fn clear_of(enclosed: &EnclosedScene<'_>, piece: &Piece, x: f64) -> Interval {
         .map_or(clear, |level| Interval::between((level - v).lo().min(clear.lo()), (level - v).hi().min(clear.hi())))
 }
 
-/// A part of the beam beside a support, seen from there: the clearance of `v̂` from its nearer end on.
+/// A part of the beam next to a support, in the direction away from it: the clearance of `v̂` from the nearer end on.
 struct Part<'a> {
     piece: &'a Piece,
     ends: [f64; 2],
@@ -278,21 +279,21 @@ struct Part<'a> {
     width: Interval,
 }
 
-/// The parts of the beam from a support to another place, the nearest first; many of them as one part above the highest ground there
-/// where that `is_enough`.
+/// The parts of the beam from a support to another position, the nearest first. Many parts are combined into one, above the highest
+/// point of the foundation there, if that `is_enough`.
 fn parts<'a>(
     enclosed: &EnclosedScene<'a>,
     pair: &'a Pair,
     [support, end]: [f64; 2],
     is_enough: impl Fn(&Part<'_>) -> bool,
 ) -> impl Iterator<Item = Part<'a>> {
-    /// Parts of a piece; only how far a proof reaches depends on it.
+    /// Parts per piece; only the length over which a proof succeeds depends on it.
     const PARTS: u32 = 16;
-    /// The same where there are many pieces, as under an axial force: *tuned* on 2,000 of them.
+    /// The same for many pieces, as under an axial force: *tuned* on 2,000 pieces.
     const FEWER: u32 = 2;
-    /// Of so many: *tuned* on the same.
+    /// Number of pieces that counts as many: *tuned* on the same.
     const MANY: usize = 256;
-    /// Parts that are looked at together: *tuned* on surveys of 2·10⁴ and 2·10⁵ points, of which one touches.
+    /// Number of parts that are tested together: *tuned* on surveys of 2·10⁴ and 2·10⁵ points, one of which is in contact.
     const TOGETHER: usize = 64;
     let (gap, from, to) = (enclosed.gap, support.min(end), support.max(end));
     let count = if enclosed.tension != 0.0 && MANY < pair.pieces.len() { FEWER } else { PARTS };
@@ -330,19 +331,19 @@ fn parts<'a>(
     })
 }
 
-/// How far from a place towards another one the beam is proven to be clear of the ground, and the pair has no contact load: a wrong
-/// witness may press where `v̂` is clear of ground that gives.
+/// The farthest position, from `x` towards `end`, up to which the beam is proven to be clear of the foundation and the pair has no
+/// contact load. Both are needed: a wrong candidate contact list may have contact forces where `v̂` is clear of an elastic foundation.
 pub(super) fn clear_from(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, end: f64) -> f64 {
     let (at_level, factor) =
         (enclosed.support(x).map_or([false; 2], |s| s.at_level), factor(pair.gap, enclosed.stiffness));
     let towards = usize::from(x < end);
-    // Of the supports that only push those strictly between.
+    // The compression-only supports strictly between the two positions.
     let stands = |y: &f64| x.min(end) < *y && *y < x.max(end) && enclosed.pushes_at(*y);
     let is_above = |part: &Part<'_>| on_part(pair, factor, part.ends) < part.clearance.range(part.width).lo();
     let is_clear = |part: &Part<'_>| {
         let beside = part.ends[1 - towards].total_cmp(&x).is_eq() && at_level[towards];
         let by = if beside {
-            // A deflection that is known at the support is off by no more than this, over the distance from there.
+            // The error of a deflection that is known at the support is at most this, over the distance from the support.
             let is_here = |at: &Datum| at.from.max(at.to) <= x && x <= at.from;
             let known = lines(pair, part.ends)
                 .filter(|Line(a, b)| a.uncertainty.max(b.uncertainty) <= 0.0 && (is_here(a) || is_here(b)));
@@ -363,9 +364,10 @@ pub(super) fn clear_from(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, end:
     clear.map_or(x, |part| part.ends[towards])
 }
 
-/// Whether one place carries all of a load that is in balance above it, though the beam may turn about it. Contact on one
-/// side would need contact on the other. With a turn by `θ` the clearance at the distance `a` from the support is off by `± θ a` and
-/// by no more than `√(2 gap/3 EI) a^(3/2)`: not on both sides can it vanish, if both quotients by the distance are larger in sum.
+/// Whether a single position carries all of a load that is in balance above it, although the beam can rotate about it. Contact on one
+/// side would require contact on the other. With a rotation by `θ` the clearance at the distance `a` from the support changes by
+/// `± θ a`, and its error is at most `√(2 gap/3 EI) a^(3/2)`. It cannot vanish on both sides if the sum of both quotients by the
+/// distance is larger.
 fn carries_all(enclosed: &EnclosedScene<'_>, pair: &Pair, support: f64) -> bool {
     let most = Interval::exact(factor(pair.gap, enclosed.stiffness)) * Interval::exact(enclosed.length).sqrt();
     let least = |end: f64| {

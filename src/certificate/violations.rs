@@ -1,4 +1,4 @@
-//! Which condition of (4), (7) contact forces violate, by how much and where.
+//! The conditions of (4), (7) that contact forces violate, with amount and position.
 
 use super::contact_load::{ContactLoad, deflection};
 use super::enclosed;
@@ -15,20 +15,21 @@ use crate::scene::{Resultant, Scaled, Scene, SceneError};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
 pub enum ViolationKind {
-    /// `p ≥ 0`: a force pulls.
+    /// `p ≥ 0`: a contact force is in tension.
     Tension,
-    /// `v ≤ u`: the beam that these forces hold is inside the foundation.
+    /// `v ≤ u`: the beam under these forces penetrates the foundation.
     Penetration,
-    /// `p (u − v) = 0`: a force acts where the beam that these forces hold is clear of the foundation.
+    /// `p (u − v) = 0`: a force acts where the beam under these forces is clear of the foundation.
     Complementarity,
-    /// `p = k (v − g)₊`: a force is not that of the springs that it stands for below the beam that these forces bend.
+    /// `p = k (v − g)₊`: a force differs from the force of the foundation springs that it represents, for the deflection caused by these
+    /// forces.
     SpringLaw,
     /// `∫p = W`, `∫p x = W x_W`: the forces do not balance the loads of a beam that its supports do not hold.
     Balance,
 }
 
 impl ViolationKind {
-    /// Its name in tables and JSON.
+    /// The name used in tables and JSON.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -41,34 +42,35 @@ impl ViolationKind {
     }
 }
 
-/// The worst violation of one condition.
+/// The largest violation of one condition.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Violation {
-    /// Which condition.
+    /// The violated condition.
     #[cfg_attr(feature = "serde", serde(rename = "condition"))]
     pub kind: ViolationKind,
-    /// Where \[length\].
+    /// Position \[length\].
     pub at: f64,
-    /// The force that pulls or that is missing \[force\], or how deep the beam is in the foundation, or how clear of it \[length\].
+    /// The tensile or missing force \[force\], or the depth of penetration, or the clearance \[length\].
     pub amount: f64,
-    /// The amount as a share: of all contact forces, or of the largest deflection.
+    /// The amount as a share of the sum of all contact forces, or of the largest deflection.
     pub relative: f64,
 }
 
-/// The worst violation of each condition that is violated at all, the worst of them first. On ground that gives, forces are compared with
-/// those of the springs below the beam that they bend.
+/// The largest violation of each violated condition, the largest share first. On an elastic foundation the forces are compared with the
+/// forces of the foundation springs for the deflection that they cause.
 ///
 /// # Errors
 ///
-/// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled, and [`SceneError::NotKnown`] of forces that alone do not
-/// say how the beam bends: of these a [`Witness`](crate::Witness) knows more.
+/// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled, and [`SceneError::NotKnown`] if the forces alone do not
+/// determine how the beam bends; in this case a [`Witness`](crate::Witness) can.
 pub fn violations(scene: &Scene, given: &ContactLoad) -> Result<Vec<Violation>, SceneError> {
     scene.bends_under_forces("a check of contact forces")?;
     violations_by(scene, given, None)
 }
 
-/// The same of forces that bend the beam as it is said, if it is, in the units of [`Scene::scaled`].
+/// The same for forces whose deflection is already computed, in the units of [`Scene::scaled`]; an empty deflection means that there is
+/// none.
 pub(crate) fn violations_by(
     scene: &Scene,
     given: &ContactLoad,
@@ -103,7 +105,7 @@ pub(crate) fn violations_by(
     })
 }
 
-/// By how much the worst of the forces is off that of the springs which it stands for, of the true foundation below its share of the beam.
+/// The largest deviation of a force from the force of the foundation springs that it represents, over its share of the beam.
 fn of_springs(
     scaled: &Scaled,
     enclosed: &EnclosedScene<'_>,
@@ -120,7 +122,7 @@ fn of_springs(
     (0.0 < amount).then_some(Violation { kind: ViolationKind::SpringLaw, at, amount, relative })
 }
 
-/// A deflection by parts as one by cells of the gap.
+/// A deflection given by parts, divided into the cells of the gap.
 fn cut(caused: &[Hung], enclosed: &EnclosedScene<'_>) -> Vec<([f64; 2], Polynomial)> {
     let cells = caused.iter().flat_map(|part| {
         let ([from, to], v) = part.curve();
@@ -130,7 +132,7 @@ fn cut(caused: &[Hung], enclosed: &EnclosedScene<'_>) -> Vec<([f64; 2], Polynomi
     cells.collect()
 }
 
-/// How far the beam that forces hold is in the foundation, and how far from it a force acts.
+/// The penetration of the beam under these forces, and the clearance at which a force acts.
 fn of_depth(
     enclosed: &EnclosedScene<'_>,
     forces: &ContactLoad,
@@ -150,20 +152,20 @@ fn of_depth(
         };
         beam.get(i).map_or(0.0, |cell| clear_of(cell).middle())
     };
-    // What stands alone is in no cell.
+    // A support that stands alone is not in any cell.
     let alone = enclosed.gap.ground.bearings.iter().map(|p| (p[0], -clear_at(p[0])));
     let below = below.chain(alone);
-    // As in the check of a discrete state: a small force far from the foundation is as good as none.
+    // As in the check of a discrete state, a small force far from the foundation counts as negligible.
     let clear = forces.pressing.iter().map(|&(x, force)| (x, clear_at(x).min(share(force, all) * moved)));
     let found = [(ViolationKind::Penetration, worst(below)), (ViolationKind::Complementarity, worst(clear))];
     let found = found.into_iter().filter(|(_, (_, amount))| 0.0 < *amount);
     found.map(move |(kind, (at, amount))| Violation { kind, at, amount, relative: share(amount, moved) })
 }
 
-/// What is missing for the balance of a beam that its supports do not hold: a force, or a couple over the length of the beam;
-/// at the resultant of the loads. Rounding of some digits that were printed is none.
+/// The imbalance of a beam that its supports do not hold: a force, or a couple over the length of the beam, at the resultant of the
+/// loads. Rounding of printed digits is not counted.
 fn imbalance(scaled: &Scaled, forces: &ContactLoad) -> Option<Violation> {
-    /// Of the load.
+    /// Tolerance, as a share of the load.
     const ROUNDING: f64 = 1e-9;
     let Resultant { force, at } = scaled.balance.resultant()?;
     let length = scaled.scene.beam().length();
@@ -177,14 +179,14 @@ fn imbalance(scaled: &Scaled, forces: &ContactLoad) -> Option<Violation> {
     (ROUNDING < relative).then_some(Violation { kind: ViolationKind::Balance, at, amount, relative })
 }
 
-/// The same for a beam whose load is lumped at nodes: the conditions at the nodes, which are all that such a beam keeps.
+/// The same for a beam whose load is lumped at nodes: the conditions at the nodes, the only ones that such a beam satisfies.
 #[must_use]
 pub fn violations_at_nodes(lumped: &Lumped) -> Vec<Violation> {
     let Lumped { load, nodes, feet, .. } = lumped;
     let all = sum(load);
     let moved = nodes.deflection.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
     let deepest = worst(nodes.x.iter().zip(feet).map(|(&x, h)| (x, -h)));
-    // Infinitely clear of a foundation that is not there.
+    // Where there is no foundation the clearance is infinite.
     let forces = nodes.x.iter().zip(feet).zip(&nodes.contact_force).filter(|((_, h), _)| h.is_finite());
     let clear = worst(forces.map(|((&x, h), p)| (x, h.min(share(*p, all) * moved))));
     let of_depth = [(ViolationKind::Penetration, deepest), (ViolationKind::Complementarity, clear)];
@@ -195,12 +197,12 @@ pub fn violations_at_nodes(lumped: &Lumped) -> Vec<Violation> {
     found
 }
 
-/// The sum of all forces, those that pull included.
+/// The sum of the magnitudes of all forces, including tension.
 fn sum(forces: &ContactLoad) -> f64 {
     forces.pressing.iter().chain(&forces.pulling).map(|f| f.1.abs()).sum()
 }
 
-/// The force that pulls most.
+/// The largest tensile force.
 fn tension(forces: &ContactLoad, all: f64) -> Option<Violation> {
     let strongest = forces.pulling.iter().min_by(|a, b| a.1.total_cmp(&b.1));
     strongest.map(|&(at, force)| Violation {
@@ -211,7 +213,7 @@ fn tension(forces: &ContactLoad, all: f64) -> Option<Violation> {
     })
 }
 
-/// The largest positive amount, and where it is; zero if there is none.
+/// The largest positive amount and its position; zero if there is none.
 fn worst(amounts: impl Iterator<Item = (f64, f64)>) -> (f64, f64) {
     amounts.fold((0.0, 0.0), |worst, a| if worst.1 < a.1 { a } else { worst })
 }

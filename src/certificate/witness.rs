@@ -1,19 +1,18 @@
-//! A witness as contact nodes: its places as they are, and the slopes that follow from them.
+//! Contact nodes from a candidate contact list: the positions as given, and the slopes that follow from them.
 //!
-//! Only the supports are added to its contacts, and corners that are touched where these prove little; no place is moved: an error
-//! stays, and makes the duality gap of [`proof`](super::kernel::proof) larger. At which supports the ground, level with them, holds the
-//! slope is given with the witness.
-//! Unknown are the slopes `θ` of the beam at other supports and at corners.
-//! With the places given they minimise the energy of the spans, and solve
+//! Only the supports are added to the listed contacts, and touched corners where the listed contacts prove little. No position is
+//! changed: an error remains and increases the duality gap of [`proof`](super::kernel::proof). The list also states at which supports a
+//! foundation at their level fixes the slope. The slopes `θ` of the beam at other supports and at corners are unknown. For the given
+//! positions they minimise the energy of the spans and solve
 //!
 //! ```text
 //! EI v''(x−) = EI v''(x+) + C,     EI v'' = 0 at an end of the beam, given by the loads beside an overhang
 //! ∂v''(a)/∂θ_a = −4/L,  ∂v''(a)/∂θ_b = −2/L,     ∂v''(b)/∂θ_a = 2/L,  ∂v''(b)/∂θ_b = 4/L     in a uniform span from a to b
 //! ```
 //!
-//! a linear system with three diagonals. Where the ground is level with a support it may hold the slope, which is decided by
-//! solving again; at a corner the slope is then limited to what the ground allows; a beam that may turn about one place gets the
-//! slope nearest to zero that is clear of the ground, by samples. No proof rests on these slopes: a wrong one makes bounds wide.
+//! This is a tridiagonal linear system. The slope at a corner is then limited to the range that the foundation allows. A beam that can
+//! rotate about a single position gets the slope nearest to zero that is clear of the foundation, found by sampling. No proof depends on
+//! these slopes: a wrong slope makes the bounds wide.
 
 use super::kernel::contact_node::{ContactNode, EnclosedScene, EnclosedSupport, Slope};
 use super::kernel::gap::EnclosedGap;
@@ -24,10 +23,10 @@ use super::kernel::proof::{Pair, Piece};
 use crate::scene::Scale;
 use crate::state::Contact;
 
-/// The contact nodes of a list of contacts in the units of the scene, in its order, and of the supports, with the slopes that
-/// follow from their places. A contact at a single place is a corner of the gap if there is one, or the end of the beam, and
-/// otherwise a point of tangency. Of the supports at which the ground holds the slope `held` has the places, and whether it does so
-/// from the left.
+/// The contact nodes of the supports and of a list of contacts, given in order and in the units of the scene, with the slopes that
+/// follow from their positions. A contact at a single position is a corner of the gap if there is one, or the end of the beam, and
+/// otherwise a point of tangency. `held` contains the positions of the supports at which the foundation fixes the slope, and whether it
+/// does so from the left.
 #[expect(clippy::float_cmp, reason = "a contact from a place to the same place is a point")]
 pub(super) fn nodes(
     enclosed: &EnclosedScene<'_>,
@@ -39,7 +38,7 @@ pub(super) fn nodes(
     let mut in_zone = false;
     for contact in contacts {
         let [from, to] = [contact.from / scale.length, contact.to / scale.length];
-        // Zones that share an end are one zone, and the end of a zone is no other contact.
+        // Zones that share an end are one zone, and a contact at the end of a zone is part of the zone.
         if in_zone && nodes.last().is_some_and(|node| node.x == from) {
             nodes.pop();
             nodes.push(enclosed.end_of_zone(to));
@@ -49,14 +48,14 @@ pub(super) fn nodes(
         if in_zone {
             nodes.extend([ContactNode::start(from), enclosed.end_of_zone(to)]);
         } else if enclosed.support(from).is_some() {
-            // A point of contact at a support is the support.
+            // A contact point at a support is the support.
         } else if from == 0.0 || from == enclosed.length || enclosed.is_edge(from) {
             nodes.push(ContactNode::free(from));
         } else {
             nodes.push(ContactNode::on_ground(from, false));
         }
     }
-    // A zone that begins or ends at a support takes its place, and one that goes on beyond it takes it in.
+    // A zone that begins or ends at a support replaces it, and a zone that extends beyond it includes it.
     for support in enclosed.supports {
         let at = nodes.iter().position(|node| support.x <= node.x).unwrap_or(nodes.len());
         if nodes.get(at).is_none_or(|node| node.x != support.x) {
@@ -73,16 +72,16 @@ pub(super) fn nodes(
     nodes
 }
 
-/// A list of contacts with the corners and ends besides that the beam touches but for what its deflection was lifted by: a body at rest
-/// lies on some that carry nothing. [`None`] if there are none.
+/// The list of contacts with additional corners and ends that the beam touches up to the lift of its deflection: a body at rest can
+/// touch corners that carry no force. [`None`] if there are none.
 pub(super) fn with_touched(
     enclosed: &EnclosedScene<'_>,
     contacts: &[Contact],
     pair: &Pair,
     scale: &Scale,
 ) -> Option<Vec<Contact>> {
-    /// What is lifted by a rounding on one side of a place is above the ground on the other side by as much, by the ratio of their arms
-    /// (*tuned* on sleepers drawn anywhere).
+    /// A lift by rounding on one side of a position raises the other side above the foundation by the same amount times the ratio of the
+    /// lever arms (*tuned* on random sleepers).
     const ARMS: f64 = 16.0;
     let mut all = contacts.to_vec();
     for Piece { from, to, v, .. } in pair.pieces.iter().filter(|piece| !piece.pressed && 0.0 < pair.lifted) {
@@ -95,26 +94,26 @@ pub(super) fn with_touched(
         all.extend(places.filter(touches).map(|x| Contact::at(x * scale.length, 0.0)));
     }
     all.sort_by(|a, b| a.from.total_cmp(&b.from));
-    // A step has two points, and a contact may be there already.
+    // A step has two points, and a contact may already be listed there.
     all.dedup_by(|second, first| second.from <= first.from);
     (contacts.len() < all.len()).then_some(all)
 }
 
 impl EnclosedScene<'_> {
-    /// Where a zone ends: in a hinge the beam turns.
+    /// The node at the end of a zone: at a hinge the slope is free.
     fn end_of_zone(&self, x: f64) -> ContactNode {
         if self.is_hinge(x) { ContactNode::free(x) } else { ContactNode::on_ground(x, true) }
     }
 
-    /// Whether the beam may rest on a place and turn there: on a corner of the gap, or with a joint.
+    /// Whether the beam may rest on a position and rotate there: at a corner of the gap, or at a joint.
     fn is_edge(&self, x: f64) -> bool {
         self.gap.is_corner(x) || self.is_joint(x)
     }
 }
 
 impl EnclosedSupport {
-    /// From which side the ground holds the slope: from that which is said if it is level with a simple support there, and where no
-    /// other slope is possible from either.
+    /// The side from which the foundation fixes the slope: the stated side if the foundation is level with a simple support there;
+    /// without a statement the left side, if no other slope is possible.
     fn held_side(&self, said: Option<bool>) -> Option<bool> {
         let is_level = |from_the_left: &bool| self.tangent[usize::from(!from_the_left)];
         said.or(self.is_fixed.then_some(true)).filter(is_level).filter(|_| self.slope.is_none())
@@ -122,17 +121,17 @@ impl EnclosedSupport {
 }
 
 impl ContactNode {
-    /// Where the slope of the beam is its own.
+    /// A node with a free slope.
     pub(super) fn free(x: f64) -> Self {
         Self { x, slope: Slope::Free(0.0), lies: false }
     }
 
-    /// Where the slope is that of the gap, from one of its sides.
+    /// A node with the slope of the gap, on one of its sides.
     pub(super) fn on_ground(x: f64, from_the_left: bool) -> Self {
         Self { x, slope: Slope::OfGround { from_the_left }, lies: false }
     }
 
-    /// At a support, in a zone or not, with the side from which the ground holds the slope if it does.
+    /// A node at a support, inside a zone or not; `side` is the side from which the foundation fixes the slope, if it does.
     fn at_support(x: f64, lies: bool, side: Option<bool>) -> Self {
         match side {
             _ if lies => Self::start(x),
@@ -147,12 +146,12 @@ impl ContactNode {
     }
 }
 
-/// How far slopes at corners stay inside what is allowed, as a share: just enough for rounding.
+/// Margin of slopes at corners from the limits of the allowed range, as a share: just enough for rounding.
 const INSIDE: f64 = 1e-14;
 
-/// The slopes for given places, within what the foundation allows.
+/// Finds the slopes for given positions, within the range that the foundation allows.
 fn find_slopes(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
-    // Places that are not in order, or not numbers, have no slopes.
+    // Positions that are out of order or NaN have no slopes.
     if !nodes.is_sorted_by(|a, b| a.x < b.x) {
         return;
     }
@@ -172,13 +171,13 @@ fn find_slopes(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
     at_corners(enclosed, nodes);
 }
 
-/// The slope nearest to zero at which a beam that may turn about a place is clear of the ground at all samples.
+/// The slope nearest to zero at which a beam that can rotate about a position is clear of the foundation at all samples.
 fn turn(enclosed: &EnclosedScene<'_>, about: f64) -> f64 {
-    /// How far that slope stays off its limits, as a share of what is between them: more than samples miss.
+    /// Distance of that slope from its limits, as a share of the range between them: more than the samples can miss.
     const FROM_LIMITS: f64 = 1e-6;
     let node = ContactNode::free(about);
     let spans = [enclosed.span(None, Some(&node)), enclosed.span(Some(&node), None)];
-    // How far it may turn down on the left and on the right.
+    // The largest rotation downwards on the left and on the right.
     let [left, right] = [0, 1].map(|side| {
         let sign = if side == 0 { -1.0 } else { 1.0 };
         let mut most = level_slopes(enclosed, about)[side].map_or(f64::INFINITY, |slope| sign * slope);
@@ -201,18 +200,18 @@ fn turn(enclosed: &EnclosedScene<'_>, about: f64) -> f64 {
         }
         most
     });
-    // At a limit the beam would touch, and rounding might put it into the ground.
+    // At a limit the beam would touch the foundation, and rounding could cause penetration.
     let size = [left, right].into_iter().filter(|slope| slope.is_finite()).fold(0.0, |size: f64, s| size.max(s.abs()));
     let inside = FROM_LIMITS * (left + right).min(size).max(0.0);
     if -left <= right { 0.0_f64.max(inside - left).min(right - inside) } else { 0.5 * (right - left) }
 }
 
-/// The least of a function for `0 ≤ s ≤ width` if that is below `bound`, and otherwise that: from samples, about the least of which
-/// more are taken as long as it may be below. Where it is infinite or no number it counts for nothing.
+/// The minimum of a function for `0 ≤ s ≤ width`, or `bound` if that is smaller. The function is sampled, and more samples are taken
+/// around the minimum as long as it may be below `bound`. Values that are infinite or NaN are ignored.
 fn least_sample(function: impl Fn(f64) -> f64, width: f64, bound: f64) -> f64 {
-    /// Of each round: what is left is a quarter of the part before.
+    /// Parts per round: the next round covers a quarter of the previous interval.
     const PARTS: usize = 8;
-    /// A least value is flat: half of the digits of its place are enough.
+    /// A minimum is flat, so half of the digits of its position are enough.
     const ROUNDS: usize = 16;
     let (mut least, mut part) = (bound, [0.0, width]);
     for _ in 0..ROUNDS {
@@ -232,7 +231,7 @@ fn least_sample(function: impl Fn(f64) -> f64, width: f64, bound: f64) -> f64 {
     least
 }
 
-/// Under an axial force the slopes are those of the deflection that is given besides, just right of a node or, where there is none, left.
+/// Under an axial force the slopes come from the proposed deflection, just to the right of a node or, if there is none, to the left.
 fn as_given(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
     for node in nodes {
         let Slope::Free(slope) = &mut node.slope else { continue };
@@ -245,9 +244,9 @@ fn as_given(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
     }
 }
 
-/// Finds the slopes for which the moments are balanced.
+/// Finds the slopes for which the moments are in equilibrium.
 pub(super) fn balance(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
-    // The second step is for rounding.
+    // The second step reduces rounding.
     for _ in 0..2 {
         let Some(changes) = changes(enclosed, nodes) else { return };
         for (node, change) in nodes.iter_mut().zip(changes) {
@@ -258,7 +257,7 @@ pub(super) fn balance(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
     }
 }
 
-/// By how much the slopes have to change for the moments to be balanced, zero where supports or foundation give the slope.
+/// The changes of the slopes that bring the moments into equilibrium, zero where a support or the foundation fixes the slope.
 fn changes(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Option<Vec<f64>> {
     let built_in = |node: &ContactNode| enclosed.support(node.x).is_some_and(|s| s.slope.is_some());
     let is_hinge: Vec<bool> = nodes.iter().map(|j| matches!(j.slope, Slope::Free(_)) && !built_in(j)).collect();
@@ -294,7 +293,7 @@ fn changes(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Option<Vec<f6
     tridiagonal(rows)
 }
 
-/// Solves rows `[below, diagonal, above, right side]`.
+/// Solves a tridiagonal system with rows `[below, diagonal, above, right side]`.
 pub(crate) fn tridiagonal(mut rows: Vec<[f64; 4]>) -> Option<Vec<f64>> {
     for i in 1..rows.len() {
         let [_, pivot, above, right] = rows[i - 1];
@@ -310,12 +309,12 @@ pub(crate) fn tridiagonal(mut rows: Vec<[f64; 4]>) -> Option<Vec<f64>> {
     x.iter().all(|x| x.is_finite()).then_some(x)
 }
 
-/// Turns slopes at corners into the range that the foundation allows.
+/// Limits the slopes at corners to the range that the foundation allows.
 fn at_corners(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
     for node in nodes.iter_mut().filter(|node| enclosed.support(node.x).is_none()) {
         let Slope::Free(slope) = &mut node.slope else { continue };
         let [before, after] = enclosed.gap.slopes(node.x);
-        // The slope of a node is that beyond its joint.
+        // The slope of a node is the slope beyond its joint.
         let before = before.filter(|_| !enclosed.is_joint(node.x));
         let margin = |bound: f64| INSIDE * (bound.abs() + slope.abs());
         let least = before.filter(|_| 0.0 < node.x).map_or(f64::NEG_INFINITY, |b| b + margin(b));
@@ -324,20 +323,20 @@ fn at_corners(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
     }
 }
 
-/// The slopes of the ground on the two sides of a simple support, where it is level with the support.
+/// The slopes of the foundation on the two sides of a simple support, where the foundation is level with the support.
 fn level_slopes(enclosed: &EnclosedScene<'_>, x: f64) -> [Option<f64>; 2] {
     let tangent = enclosed.support(x).filter(|s| s.slope.is_none()).map_or([false; 2], |s| s.tangent);
     [0, 1].map(|side| tangent[side].then(|| enclosed.gap.jet(x, side == 0)[1].middle()))
 }
 
 impl EnclosedGap<'_> {
-    /// The slopes on the two sides of a place; [`None`] on the side of a step, which the beam is clear of.
+    /// The slopes on the two sides of a position; [`None`] on the lower side of a step, which the beam is clear of.
     fn slopes(&self, x: f64) -> [Option<f64>; 2] {
         [true, false].map(|left| self.ground.is_upper(x, left).then(|| self.jet(x, left)[1].middle()))
     }
 
-    /// Whether a place can carry a concentrated force because there is a corner that points upwards: the upper edge of a step,
-    /// a kink after which the ground falls more from the beam than before, or a support that only pushes.
+    /// Whether a position can carry a concentrated force because of an upward corner: the upper edge of a step, a kink after which the
+    /// foundation falls away more steeply than before, or a compression-only support.
     pub(super) fn is_corner(&self, x: f64) -> bool {
         match self.slopes(x) {
             _ if self.is_smooth_at(x) => false,

@@ -1,41 +1,44 @@
-//! How far a span has to be lifted to be clear of the foundation: mostly not at all.
+//! The lift that makes a span clear the foundation. In most spans the lift is zero.
 //!
-//! The span is lifted by `α φ`, which vanishes at its nodes with its slope, where the beam goes on or the slope is given or turns a spring:
+//! The span is lifted by `α φ`. At a node `φ` vanishes. Its slope vanishes there too if the beam continues, the slope is given or the
+//! beam rotates a spring:
 //!
 //! ```text
-//! φ(s) = (s/L)^a (1 − s/L)^b,     a, b = 2 at a node, 1 at one where the beam ends and its slope is free, 0 at a free end, under an axial force 2
+//! φ(s) = (s/L)^a (1 − s/L)^b
+//! a, b = 2 at a node; 1 at a node where the beam ends and its slope is free; 0 at a free end, or 2 under an axial force
 //! ```
 //!
-//! so that what it costs is of the size of `α`, and not of its root: where the beam is pressed it stays where it is. `α = 0`
-//! proves `v ≤ g`. Where beam and foundation are one curve but for rounding, no arithmetic can tell, and `α` is of the size
-//! of the rounding.
+//! With this shape the cost of a lift is proportional to `α` and not to its square root, because the beam does not move where it is
+//! pressed. `α = 0` proves `v ≤ g`. Where beam and foundation are the same curve up to rounding, no arithmetic can prove a clearance,
+//! and `α` has the size of the rounding.
 
 use super::contact_node::{ContactNode, EnclosedScene, EnclosedSupport, Slope};
 use super::interval::Interval;
 use super::polynomial::Polynomial;
 use super::span::{Curve, Span};
 
-/// Penetration is bounded by parts until they are this share of their cell; a longer proof would make the lift less.
+/// The penetration is bounded on parts down to this share of their cell; smaller parts would give a smaller lift but a longer proof.
 const SMALLEST_PART: f64 = 1.0 / 8.0;
-/// Cells that are not looked at together: near a contact, where mostly none is clear, a look costs as much as a proof.
+/// Cells up to this number are not tested together: near a contact most groups of cells fail the test, which then costs as much as a
+/// proof.
 const FEW: usize = 8;
 
-/// The ends of a span: nodes, or free ends of the beam.
+/// The nodes at the ends of a span; [`None`] for a free end of the beam.
 type Ends<'a> = [Option<&'a ContactNode>; 2];
 
-/// The power of the distance from an end of a span in `φ`.
+/// The exponent in `φ` of the distance from an end of a span.
 fn power(enclosed: &EnclosedScene<'_>, end: Option<&ContactNode>) -> usize {
-    // Under an axial force the moments of an overhang depend on where its free end is.
+    // Under an axial force the moments of an overhang depend on the deflection of its free end.
     let Some(node) = end else { return if enclosed.tension == 0.0 { 0 } else { 2 } };
-    // A lift that turned a spring would have its share in the gap, too.
+    // A lift that rotates a spring would add to the gap too.
     let holds_slope = enclosed.support(node.x).is_some_and(EnclosedSupport::holds_slope);
     let ends = node.x <= 0.0 || enclosed.length <= node.x;
     if ends && !holds_slope && matches!(node.slope, Slope::Free(_)) { 1 } else { 2 }
 }
 
-/// `α φ` about the left end of the span, zero where it is clear; [`None`] if no lift of this shape is enough.
+/// `α φ` about the left end of the span, zero if the span is clear; [`None`] if no lift of this shape is enough.
 pub(crate) fn lift(enclosed: &EnclosedScene<'_>, span: &Span, parts: &[Curve], ends: Ends<'_>) -> Option<Polynomial> {
-    // From each node to the middle, or to the free end.
+    // Each side extends from its node to the middle, or to the free end.
     let middle = match ends {
         [None, _] => span.from,
         [_, None] => span.to,
@@ -49,31 +52,32 @@ pub(crate) fn lift(enclosed: &EnclosedScene<'_>, span: &Span, parts: &[Curve], e
         let Some(node) = ends[side] else { return Some(0.0) };
         let (order, shape) = (enclosed.order(node, side == 1), shape(span, [powers[side], powers[1 - side]]));
         let side = Side { enclosed, parts, node, shape, from_the_left: side == 1 };
-        // What vanishes at the node is small beside it, also behind the end of a short cell.
+        // At the node the clearance and its lower derivatives are zero. This makes it small near the node, also past the end of a short
+        // cell.
         Some(side.lift(cells, (0.0, vec![Interval::ZERO; order]))?.0)
     };
     let (left, right) = (lift(0, &cells[..meeting])?, lift(1, &cells[meeting..])?);
     Some(shape(span, powers).times(Interval::exact(left.max(right))))
 }
 
-/// Cells on one side of a node: seen from there, and each about that end of it that is nearer.
+/// The cells on one side of a node, expressed by the distance from the node; each cell is expanded about its nearer end.
 struct Side<'a> {
     enclosed: &'a EnclosedScene<'a>,
-    /// The span, by parts known from both ends.
+    /// The deflection of the span, in parts that are known from both ends.
     parts: &'a [Curve],
     node: &'a ContactNode,
     /// `φ` from the node.
     shape: Polynomial,
-    /// Whether the cells are on the left side of the node.
+    /// Whether the cells are to the left of the node.
     from_the_left: bool,
 }
 
-/// What is known where the cells next to a node were looked at: `α` for them, and of the clearance and its derivatives at their end. At
-/// the node itself that they are zero.
+/// The result of the cells examined so far from the node: their `α`, and the clearance and its derivatives at their far end. At the node
+/// itself these are zero.
 type Seen = (f64, Vec<Interval>);
 
 impl Side<'_> {
-    /// `v(place + s)` between two places of a part.
+    /// `v(place + s)` on an interval within one part.
     fn deflection(&self, place: f64, [from, to]: [f64; 2]) -> Option<Polynomial> {
         let part = self.parts.partition_point(|(part, _)| part[1] <= from);
         let &(part, known) = self.parts.get(part).filter(|(part, _)| part[0] <= from && to <= part[1])?;
@@ -81,14 +85,15 @@ impl Side<'_> {
         Some(known[end].shifted(Interval::length(part[end], place)))
     }
 
-    /// Whether the span is clear of the foundation between two places, at a glance.
+    /// Whether a single comparison of ranges proves that the span is clear of the foundation between two positions.
     fn is_clear(&self, [from, to]: [f64; 2]) -> bool {
         let least = self.enclosed.gap.least(from, to);
         let below = |v: Polynomial| v.range(Interval::length(from, to)).hi() <= least;
         f64::NEG_INFINITY < least && self.deflection(from, [from, to]).is_some_and(below)
     }
 
-    /// Cells, from left to right, next to those that were seen: together if they are clear at a glance, and otherwise by halves.
+    /// Treats neighbouring cells, given from left to right, that follow the cells already seen. Cells that are clear by one comparison
+    /// are done together, others by halves.
     fn lift(&self, cells: &[[f64; 2]], (most, known): Seen) -> Option<Seen> {
         let Self { enclosed, node, from_the_left, .. } = *self;
         let ([first, ..], [.., last]) = (cells, cells) else { return Some((most, known)) };
@@ -109,13 +114,13 @@ impl Side<'_> {
         let [quotient, shape] = [clearance, self.shape].map(|of| of.divided(order));
         let most = enough(&quotient, &shape, [distance, width], most)?;
         let Some(kink) = enclosed.gap.kink(far) else {
-            // What stands alone there is no part of any cell.
+            // A point that stands alone there is not part of any cell.
             let clearance = enclosed.gap.depth(far) - self.deflection(far, *first)?.at(Interval::ZERO);
             let place = [distance + width, Interval::ZERO];
             return Some((enough(&Polynomial::new(&[clearance]), &self.shape, place, most)?, Vec::new()));
         };
         let mut known = vec![clearance.at(width)];
-        // In a joint the beam has a kink of its own.
+        // At a joint the beam has a kink of its own.
         if !enclosed.is_joint(far) {
             known.push(clearance.derivative().at(width) + kink);
         }
@@ -123,9 +128,10 @@ impl Side<'_> {
     }
 }
 
-/// `φ` about the left end of the span, with its powers at both ends; and with these exchanged, seen from the right end.
+/// `φ` about the left end of the span, for the exponents at both ends. With the exponents exchanged it is `φ` as seen from the right
+/// end.
 fn shape(span: &Span, powers: [usize; 2]) -> Polynomial {
-    /// Of Pascal's triangle, with the signs of `(1 − s)ⁿ`.
+    /// Pascal's triangle, with the signs of `(1 − s)ⁿ`.
     const BINOMIALS: [&[f64]; 3] = [&[1.0], &[1.0, -1.0], &[1.0, -2.0, 1.0]];
     let mut coefficients = vec![Interval::ZERO; powers[0]];
     coefficients.extend(BINOMIALS[powers[1]].iter().copied().map(Interval::exact));
@@ -133,16 +139,16 @@ fn shape(span: &Span, powers: [usize; 2]) -> Polynomial {
     Polynomial::new(&coefficients).scaled(Interval::exact(1.0) / length)
 }
 
-/// `α` for a cell at a distance from a node if that is more than the `most` of others, and otherwise that: of the clearance there, and of
-/// `φ` from the node, both over a power of the distance.
+/// The larger of `most` and the `α` that a cell at a given distance from a node needs. `clearance` and `shape` (`φ` from the node) are
+/// both divided by the same power of the distance.
 fn enough(clearance: &Polynomial, shape: &Polynomial, [distance, whole]: [Interval; 2], most: f64) -> Option<f64> {
     let mut most = most;
     clearance.negative(whole, |below, [start, width], [is_settled, is_last]| {
         let distance = distance + start;
-        // No bound, if `φ` may vanish.
+        // If `φ` may vanish, `least` is zero and there is no finite bound.
         let least = shape.shifted(distance).range(width).lo().max(0.0);
         let enough = (Interval::exact(below) / Interval::exact(least)).hi();
-        // Close to a node, and not at it, `φ` may be far smaller at one end of a part than at the other.
+        // Near a node, but not at it, `φ` may be far smaller at one end of a part than at the other.
         let is_even = distance.is_zero() || width.hi() <= distance.hi();
         let is_small = width.hi() <= SMALLEST_PART * whole.hi();
         let is_taken = is_last || enough <= most || enough.is_finite() && is_even && is_small && is_settled;

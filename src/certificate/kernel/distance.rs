@@ -1,11 +1,11 @@
-//! From a gap to the error of a deflection: its distance from the admissible one, and that one's from the true one.
+//! From a gap to the error of a deflection: its distance from the admissible one plus the distance between the admissible and the true one.
 //!
 //! ```text
 //! |v − v*| ≤ max |v − v̂| + max |v̂ − v*|        on each part of the beam
 //! ```
 //!
-//! Both deflections, `v̂` that is admissible and `v` that is judged, are polynomials by pieces. On a part of width `w` from `a` to
-//! `b`, in one piece of each, their difference `d` is
+//! Both deflections, the admissible `v̂` and the judged `v`, are piecewise polynomials. On a part of width `w` from `a` to `b` that lies
+//! in one piece of each, their difference `d` satisfies
 //!
 //! ```text
 //! |d| ≤ max(|d_a|, |d_b|) + w²/8 · max |d''|,      |d''| ≤ max(|d''_a|, |d''_b|) + w²/8 · max |v̂'''' − v''''|
@@ -17,24 +17,24 @@ use super::polynomial::number;
 use super::proof::{Pair, Piece};
 use super::reference::{Line, OUTWARDS, near};
 
-/// `√(2 gap / 3 EI)`, by which a lever is to be multiplied.
+/// `√(2 gap / 3 EI)`, the factor for a lever.
 pub(crate) fn factor(gap: f64, stiffness: f64) -> f64 {
     (number(2) * Interval::exact(gap) / (number(3) * Interval::exact(stiffness))).sqrt().hi()
 }
 
-/// What holds the beam near a part of it: of its supports and of its zones the nearest, as supports hold what many parts of zones lie
-/// between, too.
+/// The lines that hold the beam near a part of it. The nearest lines of supports and of zones are selected separately, because the line
+/// of two supports also holds the beam where there are many parts of zones between them.
 pub(crate) fn lines(pair: &Pair, part: [f64; 2]) -> impl Iterator<Item = &Line> {
     near(&pair.lines, part).iter().chain(near(&pair.zones, part))
 }
 
-/// How far an admissible deflection can be off at most on a part of the beam, by the best of what holds it.
+/// The largest error of an admissible deflection on a part of the beam, by the best of the lines that hold it.
 pub(crate) fn on_part(pair: &Pair, factor: f64, part: [f64; 2]) -> f64 {
     let bounds = lines(pair, part).map(|of| (factor * of.lever(part, pair.soft) + of.shift(part)) * OUTWARDS);
     bounds.fold(pair.taut.on_part(factor, part), f64::min)
 }
 
-/// The same anywhere: for a beam on two supports at its ends `l²/4 · √(2 gap / (3 EI l))`.
+/// The same on the whole beam: for a beam on two supports at its ends `l²/4 · √(2 gap / (3 EI l))`.
 pub(crate) fn anywhere(pair: &Pair, stiffness: f64, length: f64) -> f64 {
     let factor = factor(pair.gap, stiffness);
     let places = |Line(a, b): &Line| [a.from, a.to, b.from, b.to, a.reach[0], a.reach[1]];
@@ -48,9 +48,9 @@ pub(crate) fn anywhere(pair: &Pair, stiffness: f64, length: f64) -> f64 {
 pub(crate) struct Error {
     /// The bound.
     pub(crate) most: f64,
-    /// Where it is largest.
+    /// Position of the largest bound.
     pub(crate) at: f64,
-    /// At least the largest magnitude of the deflection itself.
+    /// An upper bound of the largest magnitude of the deflection itself.
     pub(crate) size: f64,
 }
 
@@ -62,12 +62,13 @@ pub(crate) struct Part {
     pub(crate) fourth: f64,
 }
 
-/// A bound on what lies between two values, from what there is at least of its second derivative in magnitude.
+/// A bound on the magnitude between two ends, from the magnitudes at both ends and a bound on the second derivative.
 fn bow(at_ends: [f64; 2], width: f64, second: f64) -> f64 {
     at_ends[0].max(at_ends[1]) + 0.125 * width * width * second
 }
 
-/// The error of a deflection by parts from left to right, each in one piece of `v̂`; [`None`] of one that is not there all the way.
+/// The error of a deflection given by parts from left to right, each within one piece of `v̂`; [`None`] if the parts do not cover the
+/// whole beam or a bound is not a number.
 pub(crate) fn of(pair: &Pair, parts: impl Iterator<Item = Part>, stiffness: f64, length: f64) -> Option<Error> {
     let factor = factor(pair.gap, stiffness);
     let mut parts = parts.peekable();
@@ -102,7 +103,7 @@ pub(crate) fn of(pair: &Pair, parts: impl Iterator<Item = Part>, stiffness: f64,
     (length <= reached && parts.peek().is_none()).then_some(error)
 }
 
-/// The same for the deflection that the places of a witness make, off which `v̂` was lifted: the bound.
+/// The bound for the deflection that follows from the positions of the candidate contact list, from which `v̂` was lifted.
 pub(crate) fn of_witness(pair: &Pair, stiffness: f64, length: f64) -> f64 {
     (anywhere(pair, stiffness, length) + pair.lifted) * OUTWARDS
 }

@@ -1,7 +1,7 @@
-//! A span over which the beam changes: its stiffness in steps, or in joints.
+//! A span over which the beam changes: its bending stiffness has steps, or it has joints.
 //!
-//! Between two nodes the moments of the load on a beam that is free to turn at both, `m₀`, and those of its ends are a line apart. With
-//! the distances `a + b = L` from both ends, and the slopes `φ` there from the straight line through both,
+//! Between two nodes the moment field is the sum of two parts: the moments `m₀` of the load on the span with hinged ends, and a line
+//! through the end moments. With the distances `a + b = L` from both ends, and the end slopes `φ` relative to the chord,
 //!
 //! ```text
 //! φ_a = f_aa M_a + f_ab M_b + e_a,    −φ_b = f_ab M_a + f_bb M_b + e_b
@@ -9,10 +9,10 @@
 //! e_a = ∫ (b/L) m₀/EI + Σ (b_j/L) m₀(j)/k_j,    e_b = ∫ (a/L) m₀/EI + Σ (a_j/L) m₀(j)/k_j
 //! ```
 //!
-//! A joint at the right end of a span is a part of it: the slope of the node is that beyond it.
+//! A joint at the right end of a span is part of the span: the slope of the node is the slope beyond the joint.
 //!
-//! Hinges, of which a span that is no mechanism has one or two, turn by `κ` so that they have no moment: with `ρ = (b/L, a/L)` there, and
-//! the `F` and `e` of all the rest
+//! A span that is not a mechanism has at most two hinges. Each rotates by `κ` such that its moment is zero. With `ρ = (b/L, a/L)` at the
+//! hinge, and `F` and `e` of everything else
 //!
 //! ```text
 //! F M + Σ ρ_i κ_i = φ − e,   ρ_i · M = −m₀(i):     (ρ_i · F⁻¹ ρ_j) κ_j = ρ_i · F⁻¹ (φ − e) + m₀(i)
@@ -22,21 +22,21 @@ use super::contact_node::EnclosedScene;
 use super::interval::Interval;
 use super::polynomial::{Polynomial, number};
 
-/// The flexibility of a span, what its load turns its ends by, and its moments without those of its ends.
+/// The flexibility of a span, the end rotations caused by its load, and the moments at its joints, hinges and steps.
 #[derive(Debug)]
 pub(super) struct Flexible {
     f: [Interval; 3],
     e: [Interval; 2],
-    /// `M` at the joints: their shares of the moments at both ends, and `m₀`.
+    /// `M` at the joints: its shares of the moments at both ends, and `m₀`.
     joints: Vec<(f64, f64, [Interval; 3])>,
     /// The same at hinges.
     pub(super) hinges: Vec<(f64, [Interval; 3])>,
-    /// `M` at the two ends of each part of one stiffness, in the same way.
+    /// `M` at the two ends of each cell, which has one stiffness, in the same form.
     pub(super) parts: Vec<([f64; 2], f64, [[Interval; 3]; 2])>,
 }
 
 impl Flexible {
-    /// Of the beam between two places; [`None`] where it does not change.
+    /// The flexibility of the beam between two positions; [`None`] if the beam does not change there.
     pub(super) fn of(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2]) -> Option<Self> {
         let joints = enclosed.joints.iter().filter(|(x, _)| from < *x && *x <= to);
         let is_changed = enclosed.changes.iter().any(|x| from < *x && *x < to) || joints.clone().next().is_some();
@@ -68,7 +68,7 @@ impl Flexible {
             let [a, b] = [Interval::length(from, cell[0]) / length, Interval::length(cell[0], to) / length];
             let [near, far] = [a, b].map(|share| [share, Interval::exact(1.0) / length]);
             let (near, far) = (Polynomial::new(&near), Polynomial::new(&[far[0], -far[1]]));
-            // m₀ about the left end of the cell: ∫ q a' and ∫ q b' within it, from there on.
+            // m₀ about the left end of the cell: ∫ q a' and ∫ q b' within the cell are added to the sums outside it.
             let (a, b) = (a * length, b * length);
             let before = Polynomial::new(&[left[i], q * a, (q + rise * a) / number(2), rise / number(3)]);
             let [within, half, third] = [w, w * w / number(2), w * w * w / number(3)];
@@ -99,15 +99,15 @@ impl Flexible {
         self.e = [0, 1].map(|k| self.e[k] + e[k]);
     }
 
-    /// `F⁻¹` times what both ends turn by.
+    /// `F⁻¹` times the rotations of both ends.
     fn bent(&self, [a, b]: [Interval; 2]) -> [Interval; 2] {
         let [aa, ab, bb] = self.f;
         let determinant = aa * bb - ab * ab;
         [(bb * a - ab * b) / determinant, (aa * b - ab * a) / determinant]
     }
 
-    /// By how much hinges turn where both ends turn by so much more than the load makes them, with or without its moments; none of more
-    /// than two.
+    /// The rotations of the hinges for given end rotations in excess of those caused by the load, with or without the moments of the
+    /// load; empty if there are more than two hinges.
     fn turned(&self, turns: [Interval; 2], loaded: bool) -> Vec<Interval> {
         let times = |[r, s]: [Interval; 2], [x, y]: [Interval; 2]| r * x + s * y;
         let of = |(_, [r, s, _]): &(f64, [Interval; 3])| [*r, *s];
@@ -126,7 +126,7 @@ impl Flexible {
         }
     }
 
-    /// The moments at both ends, and by how much hinges turn.
+    /// The moments at both ends, and the rotations of the hinges.
     fn solved(&self, turns: [Interval; 2], loaded: bool) -> ([Interval; 2], Vec<Interval>) {
         let kinks = self.turned(turns, loaded);
         let rest = self
@@ -137,7 +137,7 @@ impl Flexible {
         (self.bent(rest), kinks)
     }
 
-    /// How the moments at both ends answer to the slopes there: `[end][slope]`.
+    /// The derivatives of the end moments with respect to the end slopes: `[end][slope]`.
     pub(super) fn answer(&self) -> [[Interval; 2]; 2] {
         let [one, none] = [Interval::exact(1.0), Interval::ZERO];
         let ([aa, ba], _) = self.solved([one, none], false);
@@ -145,39 +145,39 @@ impl Flexible {
         [[aa, ab], [ba, bb]]
     }
 
-    /// What both ends turn by more than the load makes them.
+    /// The end rotations in excess of those caused by the load.
     fn turns_beyond(&self, [a, b]: [Interval; 2]) -> [Interval; 2] {
         [a - self.e[0], -b - self.e[1]]
     }
 
-    /// The moments at both ends, for the slopes there from the straight line through them.
+    /// The moments at both ends, for the end slopes relative to the chord.
     pub(super) fn moments(&self, slopes: [Interval; 2]) -> [Interval; 2] {
         self.solved(self.turns_beyond(slopes), true).0
     }
 
-    /// By how much the slope jumps at each hinge for these slopes at both ends.
+    /// The jump of the slope at each hinge, for these end slopes.
     pub(super) fn kinks_of_hinges(&self, slopes: [Interval; 2]) -> Vec<(f64, Interval)> {
         let kinks = self.solved(self.turns_beyond(slopes), true).1;
         self.hinges.iter().zip(kinks).map(|(hinge, kink)| (hinge.0, -kink)).collect()
     }
 
-    /// What moment there is in each hinge for those at both ends.
+    /// The moment in each hinge, for these end moments.
     pub(super) fn in_hinges(&self, ends: [Interval; 2]) -> impl Iterator<Item = (f64, Interval)> + '_ {
         self.hinges.iter().map(move |(x, shares)| (*x, at(*shares, ends)))
     }
 
-    /// The slopes at both ends from the straight line through them, for these moments there.
+    /// The end slopes relative to the chord, for these end moments.
     pub(super) fn turns(&self, [a, b]: [Interval; 2]) -> [Interval; 2] {
         let ([aa, ab, bb], [turn_a, turn_b]) = (self.f, self.e);
         [aa * a + ab * b + turn_a, -(ab * a + bb * b + turn_b)]
     }
 
-    /// By how much the slope jumps at each joint, `−M/k`.
+    /// The jump of the slope at each joint, `−M/k`.
     pub(super) fn kinks(&self, ends: [Interval; 2]) -> Vec<(f64, Interval)> {
         self.joints.iter().map(|(x, k, shares)| (*x, -(at(*shares, ends) / Interval::exact(*k)))).collect()
     }
 
-    /// `½∫ r²/EI + Σ r²/2k` of what is linear from one end to the other.
+    /// `½∫ r²/EI + Σ r²/2k` for an `r` that is linear from one end to the other.
     pub(super) fn work(&self, ends: [Interval; 2]) -> Interval {
         let linear = |[r, s, _]: [Interval; 3]| at([r, s, Interval::ZERO], ends);
         let part = |sum: Interval, &([from, to], stiffness, shares): &([f64; 2], f64, [[Interval; 3]; 2])| {
@@ -192,7 +192,7 @@ impl Flexible {
     }
 }
 
-/// A moment by its shares of those at both ends.
+/// A moment from its shares of the end moments and `m₀`.
 fn at([a, b, unloaded]: [Interval; 3], ends: [Interval; 2]) -> Interval {
     a * ends[0] + b * ends[1] + unloaded
 }

@@ -1,31 +1,31 @@
-//! The foundation as an enclosure: Taylor polynomials on cells, every kind of profile alike.
+//! The enclosed foundation: Taylor polynomials on cells, for every kind of profile.
 
 use super::interval::Interval;
 use super::polynomial::{Polynomial, TERMS, expanded, number};
 use crate::scene::Foundation;
 use crate::scene::polynomial::used;
 
-/// The foundation of a scene or the own shape of its beam, ready to be asked for enclosures.
+/// The foundation of a scene or the initial shape of its beam, from which enclosures can be computed.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct EnclosedFoundation<'a> {
     pub(crate) given: &'a Foundation,
     pub(crate) length: f64,
-    /// Supports that only push, above it, from left to right: each as three points of a polyline at one place, the middle one alone
-    /// above two that are infinitely deep. They are no part of any cell.
+    /// Compression-only supports above the profile, from left to right. Each is stored as three points of a polyline at one position:
+    /// the middle one is the support, and the two others are infinitely deep. They are not part of any cell.
     pub(crate) bearings: &'a [[f64; 2]],
 }
 
-/// Cells on the whole beam, at most, for foundations that are no polyline: shorter waves get wider enclosures instead.
+/// Largest number of cells on the whole beam, for cosine profiles; shorter waves get wider enclosures instead.
 const MOST_CELLS: f64 = 1e5;
 /// Cells in a wave: Taylor's remainder is then `(2π/32)^10 / 10! < 3e-14` of the amplitude.
 const CELLS_IN_A_WAVE: f64 = 32.0;
-/// Those of some points from left to right that are strictly between two places.
+/// The points strictly between two positions; `points` is sorted from left to right.
 pub(crate) fn inside(points: &[[f64; 2]], from: f64, to: f64) -> &[[f64; 2]] {
     points.get(points.partition_point(|p| p[0] <= from)..points.partition_point(|p| p[0] < to)).unwrap_or_default()
 }
 
 impl<'a> EnclosedFoundation<'a> {
-    /// Ends of cells strictly between two places, that of a step twice.
+    /// Ends of cells strictly between two positions; the position of a step occurs twice.
     pub(crate) fn breaks(&self, from: f64, to: f64) -> Vec<f64> {
         match self.given {
             Foundation::Flat { .. } | Foundation::Polynomial { .. } => Vec::new(),
@@ -38,10 +38,10 @@ impl<'a> EnclosedFoundation<'a> {
         }
     }
 
-    /// At most any depth between two places, found without a look at each cell; minus infinity where that cannot be.
+    /// A lower bound of the depth between two positions, found without examining each cell; minus infinity for a cosine or polynomial.
     pub(crate) fn least(&self, from: f64, to: f64) -> f64 {
         let [bearings, points] = self.points();
-        // With the far ends of the segments that the two places are on.
+        // The selection includes the far ends of the segments that contain the two positions.
         let first = points.partition_point(|p| p[0] <= from).saturating_sub(1);
         let about = points.get(first..points.len().min(points.partition_point(|p| p[0] < to) + 1)).unwrap_or_default();
         let depths = about.iter().chain(inside(bearings, from.next_down(), to.next_up())).map(|p| p[1]);
@@ -49,12 +49,12 @@ impl<'a> EnclosedFoundation<'a> {
         depths.fold(ground, f64::min)
     }
 
-    /// The depth, where it is the same everywhere.
+    /// The depth, if it is the same everywhere.
     pub(crate) fn level(&self) -> Option<f64> {
         if let Foundation::Flat { depth } = self.given { Some(*depth) } else { None }
     }
 
-    /// `u(origin + s)` from a place up to the next break, between which the origin is.
+    /// `u(origin + s)` from a position up to the next break; the origin is within this interval.
     pub(crate) fn about(&self, origin: f64, from: f64) -> Polynomial {
         match self.given {
             Foundation::Flat { depth } => Polynomial::new(&[Interval::exact(*depth)]),
@@ -66,9 +66,9 @@ impl<'a> EnclosedFoundation<'a> {
         }
     }
 
-    /// The depth and its first three derivatives at a place, at a point of a polyline on one of its sides.
+    /// The depth and its first three derivatives at a position; at a point of a polyline on the given side.
     pub(crate) fn jet(&self, x: f64, from_the_left: bool) -> [Interval; 4] {
-        // At a smooth place both sides are one, to the last bit.
+        // At a smooth position both sides give the same result, to the last bit.
         let beside = if from_the_left && !self.is_smooth_at(x) { x.next_down() } else { x };
         let cell = self.about(x, beside);
         let c = |j: usize| cell.coefficients().get(j).copied().unwrap_or(Interval::ZERO);
@@ -81,49 +81,50 @@ impl<'a> EnclosedFoundation<'a> {
         higher.map_or_else(|| self.jet(x, false)[0], |point| Interval::exact(point[1]))
     }
 
-    /// False at the points of a polyline, and where something stands alone.
+    /// False at the points of a polyline, and at a support that stands alone.
     pub(crate) fn is_smooth_at(&self, x: f64) -> bool {
         self.points_at(x).is_empty()
     }
 
-    /// True if the foundation is one smooth curve between two places: no point of a polyline is there, and nothing stands alone.
+    /// True if the foundation is one smooth curve between two positions: it contains no point of a polyline and no support that stands
+    /// alone.
     pub(crate) fn is_smooth_between(&self, from: f64, to: f64) -> bool {
-        // A wrong witness may ask for places that are not in order.
+        // A wrong candidate contact list may contain positions that are not in order.
         from < to && self.points().iter().all(|points| inside(points, from, to).is_empty())
     }
 
-    /// False beside a place that is the foot of a step.
+    /// False next to a position that is the foot of a step.
     pub(crate) fn is_upper(&self, x: f64, from_the_left: bool) -> bool {
         let here = self.points_at(x);
         let beside = if from_the_left { here.first() } else { here.last() };
         beside.is_none_or(|beside| here.iter().all(|point| beside[1] <= point[1]))
     }
 
-    /// What stands alone, and the points of a polyline.
+    /// The supports that stand alone, and the points of a polyline.
     fn points(&self) -> [&'a [[f64; 2]]; 2] {
         [self.bearings, if let Foundation::Polyline { points } = self.given { points } else { &[] }]
     }
 
-    /// The points of a polyline at a place: two at a step, three where something stands alone.
+    /// The points at a position: one at a vertex of a polyline, two at a step, three at a support that stands alone.
     pub(crate) fn points_at(&self, x: f64) -> &'a [[f64; 2]] {
         let here = self.points().map(|points| inside(points, x.next_down(), x.next_up()));
         here.into_iter().find(|here| !here.is_empty()).unwrap_or_default()
     }
 }
 
-/// The segment of a polyline that begins at a place or goes through it, about an origin on it.
+/// The segment of a polyline that begins at a position or contains it, about an origin on the segment.
 #[expect(clippy::float_cmp, reason = "the depth of a given point is known without rounding, and at no other place")]
 fn segment(points: &[[f64; 2]], from: f64, origin: f64) -> Polynomial {
     let after = points.partition_point(|p| p[0] <= from).clamp(1, points.len() - 1);
     let [left, right] = [points[after - 1], points[after]];
     let [[x, u], [end, depth]] = [left, right].map(|p| p.map(Interval::exact));
     let slope = (depth - u) / (end - x);
-    // What is given is known without rounding: the points, of which this is the other one, and a level stretch.
+    // Given data are known without rounding: the two end points, and a level segment.
     let value = if origin == right[0] { depth } else { u + slope * (Interval::exact(origin) - x) };
     Polynomial::new(&[value, slope])
 }
 
-/// Derivatives of a cosine at `x`, over factorials; the last one at any place.
+/// Derivatives of a cosine at `x`, over factorials; the last one encloses its values at any position.
 fn of_cosine([mean, amplitude, wavelength, phase]: [f64; 4], x: f64) -> Polynomial {
     let [cos, sin] = Interval::cos_sin(Interval::exact(x) / Interval::exact(wavelength), Interval::exact(phase));
     let wave_number = Interval::TAU / Interval::exact(wavelength);

@@ -1,4 +1,4 @@
-//! The gap `g = u − w0` below the undeflected beam: depth of the foundation less the own shape, both enclosed.
+//! The gap `g = u − w0` below the undeflected beam: the depth of the foundation minus the initial shape, both enclosed.
 
 use super::foundation::{EnclosedFoundation, inside};
 use super::interval::Interval;
@@ -12,23 +12,23 @@ pub(crate) struct EnclosedGap<'a> {
 }
 
 impl EnclosedGap<'_> {
-    /// Ends of cells strictly between two places, of ground and shape, in any order, and some of them twice.
+    /// Ends of cells strictly between two positions, from foundation and shape, unsorted and possibly with duplicates.
     pub(crate) fn breaks(&self, from: f64, to: f64) -> Vec<f64> {
         let bearings = inside(self.ground.bearings, from, to).iter().map(|p| p[0]).collect();
         [self.ground.breaks(from, to), self.shape.breaks(from, to), bearings].concat()
     }
 
-    /// `g(origin + s)` between two places without a break between them, on which the origin is.
+    /// `g(origin + s)` between two positions without a break between them; the origin is within this interval.
     pub(crate) fn about(&self, origin: f64, cell: [f64; 2]) -> Polynomial {
         self.ground.about(origin, cell[0]).minus(&self.shape.about(origin, cell[0]))
     }
 
-    /// At most any gap between two places; minus infinity where that cannot be said without a look at each cell.
+    /// A lower bound of the gap between two positions; minus infinity where examining each cell would be necessary.
     pub(crate) fn least(&self, from: f64, to: f64) -> f64 {
         Interval::length(self.shape.level().unwrap_or(f64::INFINITY), self.ground.least(from, to)).lo()
     }
 
-    /// The gap and its first three derivatives at a place, on one of its sides.
+    /// The gap and its first three derivatives at a position, on one of its sides.
     pub(crate) fn jet(&self, x: f64, from_the_left: bool) -> [Interval; 4] {
         let [ground, own] = [self.ground, self.shape].map(|profile| profile.jet(x, from_the_left));
         [0, 1, 2, 3].map(|order| ground[order] - own[order])
@@ -44,12 +44,12 @@ impl EnclosedGap<'_> {
         self.ground.is_smooth_at(x) && self.shape.is_smooth_at(x)
     }
 
-    /// True if it is one smooth curve between two places.
+    /// True if the gap is one smooth curve between two positions.
     pub(crate) fn is_smooth_between(&self, from: f64, to: f64) -> bool {
         self.ground.is_smooth_between(from, to) && self.shape.is_smooth_between(from, to)
     }
 
-    /// What its slope is larger by on the right side of a place than on the left; [`None`] at a step.
+    /// The slope on the right side of a position minus the slope on the left; [`None`] at a step.
     pub(crate) fn kink(&self, x: f64) -> Option<Interval> {
         let kink = |of: EnclosedFoundation<'_>| of.jet(x, false)[1] - of.jet(x, true)[1];
         let [ground, own] = [self.ground, self.shape].map(|u| if u.is_smooth_at(x) { Interval::ZERO } else { kink(u) });
@@ -67,7 +67,7 @@ mod tests {
     use super::*;
     use crate::scene::Foundation;
 
-    /// Ground `1 + x/2`, own shape `x/4 + x²/8`, by each way of asking.
+    /// Foundation `1 + x/2`, initial shape `x/4 + x²/8`, checked with each function of the gap.
     #[test]
     fn the_own_shape_is_taken_off_the_depth() {
         const LENGTH: f64 = 4.0;
@@ -97,8 +97,8 @@ mod tests {
         assert_eq!(straight.depth(2.0), ground.depth(2.0), "nothing is rounded");
         assert_eq!(straight.about(0.5, [0.5, 3.5]).coefficients(), ground.about(0.5, 0.5).coefficients());
     }
-    /// Ground and own shape with a kink and a step each: the gap turns by the difference, and at a step by nothing that has a name.
-    /// Its least is told of a level shape alone.
+    /// Foundation and initial shape with a kink and a step each: the kink of the gap is the difference of both, and at a step there is
+    /// none. A lower bound of the gap exists only if the shape is level.
     #[test]
     fn both_profiles_turn_the_gap() {
         let line = |points: &[[f64; 2]]| Foundation::Polyline { points: points.to_vec() };

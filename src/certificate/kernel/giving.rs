@@ -1,15 +1,16 @@
-//! Supports that give, in the energies of a pair.
+//! Elastic supports, in the energies of a pair.
 //!
-//! A spring of the stiffness `k` takes up `½k (v − d)²`, and one that only pushes `½k (v − d)₊²`; its dual, with a force `R` that is not
-//! negative then, is `−R d − R²/2k`. What a pair has in its gap for it is, with the force `R` of `M` and `t = k (v̂ − d)`,
+//! A spring of the stiffness `k` stores `½k (v − d)²`, and a compression-only spring `½k (v − d)₊²`. Its dual is `−R d − R²/2k`, where
+//! `R ≥ 0` for a compression-only spring. With the force `R` of `M` and `t = k (v̂ − d)`, a spring contributes to the gap of a pair
 //!
 //! ```text
-//! (t − R)²/2k             one that only pushes:  (t₊ − R)²/2k + R (d − v̂)₊
-//! (k (v̂' − φ) + C)²/2k    against turning, with the jump C of M
+//! (t − R)²/2k             compression-only:  (t₊ − R)²/2k + R (d − v̂)₊
+//! (k (v̂' − φ) + C)²/2k    rotational, with the jump C of M
 //! ```
 //!
-//! A support that gives is a node of `v̂`, at the level `d + R/k` that the witness says, with the force that `M` has there. Where the beam
-//! touches the ground just there, and where it only pushes and is not pressed, it is a load `−R`, and `v̂` is what it is.
+//! An elastic support is a node of `v̂`, at the level `d + R/k` with `R` from the candidate contact list, and its force follows from
+//! `M`. It is a load `−R` instead, and does not prescribe `v̂`, where the beam touches the foundation at the same position, or where the
+//! support is compression-only and not pressed.
 
 use super::contact_node::EnclosedScene;
 use super::interval::Interval;
@@ -17,18 +18,18 @@ use super::polynomial::number;
 use super::proof::Piece;
 use crate::scene::Support;
 
-/// What gives at a support.
+/// The springs of a support.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Giving {
-    /// `k` and `d`; [`None`] of a support that holds the level.
+    /// `k` and `d`; [`None`] for a support that is rigid vertically.
     pub(crate) spring: Option<[Interval; 2]>,
-    /// `k` and `φ`.
+    /// `k` and `φ` of a rotational spring.
     pub(crate) turning: Option<[Interval; 2]>,
-    /// True if it only pushes.
+    /// True for a compression-only support.
     pub(crate) pushes: bool,
 }
 
-/// A support that gives as a load that the witness says.
+/// An elastic support that is treated as a load from the candidate contact list.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SaidSpring {
     pub(crate) x: f64,
@@ -40,7 +41,7 @@ pub(crate) struct SaidSpring {
 }
 
 impl Giving {
-    /// That of a support of a scene, where the own shape has this value and slope.
+    /// The springs of a support of a scene, where the initial shape has this value and slope.
     pub(crate) fn of(support: &Support, own: [Interval; 4]) -> Self {
         let of = |k: Option<f64>, without: f64, own: Interval| {
             k.map(|k| [Interval::exact(k), Interval::exact(without) - own])
@@ -50,7 +51,7 @@ impl Giving {
         Self { spring, turning, pushes: support.pushes_only }
     }
 
-    /// What the force and the jump of `M` leave in the gap, for a deflection and its slope.
+    /// The contribution to the gap of the force and the jump of `M`, for a deflection and its slope.
     pub(super) fn misfit(&self, [force, jump]: [Interval; 2], [v, slope]: [Interval; 2]) -> Interval {
         let share = |off: Interval, k: Interval| off.square() / (number(2) * k);
         let sunk = self.spring.map_or(Interval::ZERO, |[k, d]| {
@@ -61,7 +62,7 @@ impl Giving {
         sunk + turned
     }
 
-    /// What springs take up.
+    /// The energy stored in the springs.
     pub(super) fn energy(&self, [v, slope]: [Interval; 2]) -> Interval {
         let taken = |k: Interval, by: Interval| k * by.square() / number(2);
         let sunk = self
@@ -70,13 +71,13 @@ impl Giving {
         sunk + self.turning.map_or(Interval::ZERO, |[k, without]| taken(k, slope - without))
     }
 
-    /// By how much `M` jumps because of it where the beam has this slope.
+    /// The jump of `M` caused by the rotational spring, for a beam with this slope.
     pub(super) fn jump(&self, slope: Interval) -> Interval {
         self.turning.map_or(Interval::ZERO, |[k, without]| -(k * (slope - without)))
     }
 }
 
-/// What springs that are loads leave in the gap, and by how much the energy is more than that of their loads.
+/// The contribution to the gap of springs that are treated as loads, and their energy plus the work of these loads.
 pub(super) fn of_loads(enclosed: &EnclosedScene<'_>, pieces: &[Piece]) -> [Interval; 2] {
     let of = |[gap, energy]: [Interval; 2], said: &SaidSpring| {
         let Some(piece) = pieces.iter().find(|piece| piece.from <= said.x && said.x <= piece.to) else {

@@ -1,4 +1,5 @@
-//! The reference lines of a beam: of its supports, of places that press, and of hinges by what they join to.
+//! The reference lines of a beam: through its supports, through positions where contact forces act, and through hinges connected to
+//! parts that are held.
 
 use super::contact_node::{EnclosedScene, EnclosedSupport};
 use super::interval::Interval;
@@ -6,7 +7,7 @@ use super::polynomial::number;
 use super::reference::{Datum, Line};
 
 impl EnclosedScene<'_> {
-    /// A support as a datum, with the force that it has.
+    /// A support as a datum, with its reaction.
     pub(super) fn datum(&self, support: &EnclosedSupport, force: Interval) -> Datum {
         let Some(gives) = support.gives else { return Datum::at(support.x) };
         let soft =
@@ -17,12 +18,12 @@ impl EnclosedScene<'_> {
         Datum { presses: force.lo(), energy: (k * sunk.square() / number(2)).lo(), ..datum }
     }
 
-    /// The supports that hold both ways.
+    /// The supports that are not compression-only.
     pub(super) fn holding(&self) -> impl Iterator<Item = Datum> + '_ {
         self.supports.iter().filter(|support| !support.pushes()).map(|support| self.datum(support, Interval::ZERO))
     }
 
-    /// Whether a hinge is at a place.
+    /// Whether a hinge is at a position.
     pub(crate) fn is_hinge(&self, x: f64) -> bool {
         self.joints.iter().any(|joint| joint.1 <= 0.0 && joint.0.total_cmp(&x).is_eq())
     }
@@ -33,8 +34,9 @@ impl EnclosedScene<'_> {
     }
 }
 
-/// Whatever the beam touches: neighbouring two of its supports, and one place `at` which it cannot turn, or about which the loads are in
-/// balance, or that has a spring against turning; without them the best two of the places that carry it.
+/// The lines that hold the beam, wherever it touches the foundation. They are pairs of neighbouring supports, and single positions:
+/// those given `at`, where the beam cannot rotate or about which the loads are in balance, and rotational springs. If there are none,
+/// the line through the best two of the `carriers`.
 pub(super) fn lines(enclosed: &EnclosedScene<'_>, at: impl Iterator<Item = f64>, carriers: &mut [Datum]) -> Vec<Line> {
     let holding: Vec<Datum> = enclosed.holding().collect();
     let turning = holding.iter().copied().filter(|place| 0.0 < place.soft[1]);
@@ -46,10 +48,10 @@ pub(super) fn lines(enclosed: &EnclosedScene<'_>, at: impl Iterator<Item = f64>,
     if held.is_empty() { widest(carriers).into_iter().collect() } else { held }
 }
 
-/// The lines of places that hold the beam, from left to right: any neighbouring two of those that are about as stiff or stiffer, and those
-/// that hold it `alone`.
+/// The lines of positions that hold the beam, from left to right: all neighbouring pairs among supports of similar or greater stiffness,
+/// and the positions that hold it `alone`.
 fn held(places: &[Datum], alone: &[Datum]) -> Vec<Line> {
-    /// Supports that are softer by less are about as stiff: a bound is worse by no more than the root of it.
+    /// Supports are similar if their flexibilities differ by at most this factor; a bound increases at most by its square root.
     const ALIKE: f64 = 100.0;
     let mut lines = Vec::new();
     let mut most = places.iter().fold(f64::INFINITY, |most, place| most.min(place.soft[0]));
@@ -64,7 +66,8 @@ fn held(places: &[Datum], alone: &[Datum]) -> Vec<Line> {
     lines
 }
 
-/// The same of a beam with hinges, part by part: one that has no line of its own is held by the hinges to those that have, besides.
+/// The same for a beam with hinges, part by part. A part without a line of its own is also held by its hinges, if the neighbouring part
+/// has lines.
 fn hinged(enclosed: &EnclosedScene<'_>, holding: &[Datum], alone: &[Datum], carriers: &[Datum]) -> Vec<Line> {
     let hinges: Vec<f64> = enclosed.joints.iter().filter(|joint| joint.1 <= 0.0).map(|joint| joint.0).collect();
     let ends = [&[0.0][..], &hinges[..], &[enclosed.length][..]].concat();
@@ -97,7 +100,7 @@ fn hinged(enclosed: &EnclosedScene<'_>, holding: &[Datum], alone: &[Datum], carr
     if lines.iter().any(Vec::is_empty) { Vec::new() } else { lines.concat() }
 }
 
-/// A hinge as a support of what is beyond it, by the lines of the beam that holds it.
+/// A hinge as a support of the part beyond it, from the lines of the part that holds it.
 fn hinge(lines: &[Line], x: f64, soft: f64) -> Option<Datum> {
     let levers = lines.iter().map(|line| (line.lever([x; 2], soft), line));
     let (lever, line) = levers.min_by(|a, b| a.0.total_cmp(&b.0))?;
@@ -107,15 +110,15 @@ fn hinge(lines: &[Line], x: f64, soft: f64) -> Option<Datum> {
         uncertainty: line.shift([x; 2]),
         presses: line.presses(),
         energy: left.energy.min(right.energy),
-        // What a force does to both places together, where they are known to the same number.
+        // The force at the two positions of the line together, since their deflections have the same uncertainty.
         spread: 2.0 * line.share([x; 2], 1.0, 0.0),
         ..Datum::at(x)
     })
 }
 
-/// Of places that press the two that hold the beam best: strongly, and far apart.
+/// The line through the two positions that hold the beam best: those with large contact forces and a large distance.
 pub(super) fn widest(carriers: &mut [Datum]) -> Option<Line> {
-    /// Of the strongest places.
+    /// Number of positions with the largest forces among which the two are chosen.
     const MOST: usize = 64;
     carriers.sort_by(|a, b| b.presses.total_cmp(&a.presses));
     let strongest = &carriers[..carriers.len().min(MOST)];

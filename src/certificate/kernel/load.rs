@@ -1,18 +1,18 @@
-//! The true load, distributed as it is: linear on pieces, with point loads and couples between them.
+//! The true distributed load: piecewise linear, with point loads and couples between the pieces.
 
 use super::interval::Interval;
 use crate::scene::{Concentrated, Scene};
 
-/// The load of a scene by pieces.
+/// The load of a scene, by pieces.
 #[derive(Debug, Clone)]
 pub(crate) struct EnclosedLoad {
     /// Ends of the pieces, from 0 to `l`.
     ends: Vec<f64>,
-    /// On each piece `q` at both of its ends.
+    /// `q` at both ends of each piece.
     lines: Vec<[Interval; 2]>,
-    /// Places and forces, from left to right.
+    /// Positions and forces, from left to right.
     pub(crate) points: Vec<(f64, Interval)>,
-    /// Places and couples, by which the moment grows, from left to right.
+    /// Positions and couples, from left to right. The moment increases by the couple.
     pub(crate) couples: Vec<(f64, Interval)>,
 }
 
@@ -38,7 +38,7 @@ impl EnclosedLoad {
         Self { ends, lines, points, couples }
     }
 
-    /// Where the load changes its formula, and where point loads and couples are, strictly between two places.
+    /// Positions strictly between two others where the formula of the load changes, or where a point load or a couple acts.
     pub(crate) fn breaks(&self, from: f64, to: f64) -> Vec<f64> {
         let first = self.ends.partition_point(|x| *x <= from);
         let ends = self.ends[first..].iter().copied().take_while(|x| *x < to);
@@ -49,44 +49,44 @@ impl EnclosedLoad {
         self::ends(ends.chain(acting).collect())
     }
 
-    /// `[q, q']` at an origin, between two places without a break between them, on which the origin is.
+    /// `[q, q']` at an origin, which lies within the given interval; the interval contains no break.
     pub(crate) fn line(&self, origin: f64, [from, to]: [f64; 2]) -> [Interval; 2] {
         let piece = self.ends.partition_point(|x| *x <= from.max(0.0).min(to)).clamp(1, self.lines.len()) - 1;
         line([self.ends[piece], self.ends[piece + 1]], self.lines[piece], origin)
     }
 
-    /// The point loads at a place, zero if there is none.
+    /// The sum of the point loads at a position, zero if there is none.
     pub(crate) fn point(&self, x: f64) -> Interval {
         at(&self.points, x)
     }
 
-    /// The couples at a place, zero if there is none.
+    /// The sum of the couples at a position, zero if there is none.
     pub(crate) fn couple(&self, x: f64) -> Interval {
         at(&self.couples, x)
     }
 }
 
-/// The sum of what is at a place.
+/// The sum of the entries at a position.
 fn at(all: &[(f64, Interval)], x: f64) -> Interval {
     let here = all[all.partition_point(|p| p.0 < x)..].iter().take_while(|p| p.0 <= x);
     here.fold(Interval::ZERO, |sum, p| sum + p.1)
 }
 
-/// What a line is at a place, and its slope, from its values at both ends: where it vanishes at one of them, it is known from there.
+/// The value of a line at a position and its slope, from its values at both ends. Using both ends keeps a zero at either of them exact.
 fn line(ends: [f64; 2], values: [Interval; 2], x: f64) -> [Interval; 2] {
     let slope = (values[1] - values[0]) / Interval::length(ends[0], ends[1]);
     let [left, right] = [0, 1].map(|k| values[k] + slope * Interval::length(ends[k], x));
     [left.meet(right), slope]
 }
 
-/// Cells between two places: pairs of neighbouring ends, with all `breaks` among them.
+/// The cells between two positions: pairs of neighbouring ends, including all `breaks`.
 pub(crate) fn cells(from: f64, to: f64, mut breaks: Vec<f64>) -> Vec<[f64; 2]> {
     breaks.retain(|x| from < *x && *x < to);
     breaks.extend([from, to]);
     ends(breaks).windows(2).map(|w| [w[0], w[1]]).collect()
 }
 
-/// Places from left to right, each of them once.
+/// The positions from left to right, without duplicates.
 fn ends(mut places: Vec<f64>) -> Vec<f64> {
     places.sort_by(f64::total_cmp);
     places.dedup();
@@ -99,10 +99,10 @@ mod tests {
     use crate::certificate::kernel::polynomial::Polynomial;
     use crate::scene::{Beam, LinearLoad, Load};
 
-    /// Parts of a load that overlap, follow each other or begin together: what acts at a place is their sum.
+    /// Loads that overlap, follow each other or begin together add up at every position.
     #[test]
     fn parts_of_a_load_add_up() {
-        /// Of a sum of so many numbers of the same size.
+        /// Rounding of a sum of a few hundred numbers of similar size.
         const ROUNDING: f64 = 1e-12;
         const LENGTH: f64 = 8.0;
         let beam = Beam::new(LENGTH, 70.0).expect("positive");

@@ -1,15 +1,15 @@
-//! The kernel: all that the bound on a deflection rests on, besides the theorem at the head of [`certificate`](super).
+//! The kernel: everything that the bound on a deflection rests on, apart from the theorem at the head of [`certificate`](super).
 //!
 //! | part | files |
 //! |---|---|
 //! | intervals and polynomials with interval coefficients | `interval`, `polynomial` |
-//! | enclosure of the scene: foundation, gap, load, and what is zero but for rounding | `foundation`, `gap`, `load`; `scene::pieces` |
-//! | from contact nodes to a proven pair: spans, springs, clearances, forces that press, gap | `contact_node`, `span`, `flexibility`, `giving`, `proof`, `clearance`, `pressing`, `held`, `lines` |
-//! | the same under an axial force; what is left of buckling | `tension`; `steady` |
-//! | the same on ground that gives; along short stretches, and what holds the beam near by | `springs`; `walks`, `groups` |
+//! | enclosure of the scene: foundation, gap, load, and what is zero up to rounding | `foundation`, `gap`, `load`; `scene::pieces` |
+//! | from contact nodes to a proven pair: spans, springs, clearances, contact forces, gap | `contact_node`, `span`, `flexibility`, `giving`, `proof`, `clearance`, `pressing`, `held`, `lines` |
+//! | the same under an axial force; the margin against buckling | `tension`; `steady` |
+//! | the same on an elastic foundation; short stretches, and what holds the beam locally | `springs`; `walks`, `groups` |
 //! | from the gap to the error of a deflection | `reference`, `distance` |
 //!
-//! It asks for nothing outside but a scene, and bounds the error of any deflection that is a polynomial on each of some cells.
+//! The only input from outside is a scene. The kernel bounds the error of any deflection that is a polynomial on each of a set of cells.
 
 pub(super) mod clearance;
 pub(super) mod contact_node;

@@ -2,13 +2,14 @@
 
 use super::interval::Interval;
 
-/// Coefficients, so that cosines of a thirty-second of a wave leave a remainder of rounding size.
+/// Number of coefficients; with this number the Taylor remainder of a cosine over a thirty-second of a wave has the size of rounding.
 pub(crate) const TERMS: usize = 11;
-/// Parts on which a polynomial may be negative that are looked at before it is taken for what it seems to be.
+/// Number of possibly negative parts examined before the remaining ones are accepted as negative without further halving.
 const MOST_PARTS: usize = 400;
 
-/// `Σ c_j s^j` with `0 ≤ s ≤` the width of its cell. Coefficients enclose those of a true polynomial, or, as the remainder
-/// of Taylor's formula, a value for every `s`: sums, products with numbers, derivatives and integrals stay enclosures.
+/// `Σ c_j s^j` for `0 ≤ s ≤` the width of its cell. The coefficients enclose the coefficients of a true polynomial. The last one may
+/// instead, as the remainder of Taylor's formula, enclose a value for every `s`. Sums, products with numbers, derivatives and integrals
+/// remain enclosures.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Polynomial {
     coefficients: [Interval; TERMS],
@@ -18,12 +19,12 @@ pub(crate) struct Polynomial {
 impl Polynomial {
     pub(crate) const ZERO: Self = Self { coefficients: [Interval::ZERO; TERMS], terms: 0 };
 
-    /// From `c_0, c_1, …`, at most [`TERMS`] of them.
+    /// The polynomial with the coefficients `c_0, c_1, …`, at most [`TERMS`] of them.
     pub(crate) fn new(given: &[Interval]) -> Self {
         Self::of(given.iter().copied())
     }
 
-    /// The same one after the other.
+    /// The same from an iterator.
     pub(crate) fn of(given: impl Iterator<Item = Interval>) -> Self {
         let mut polynomial = Self::ZERO;
         for (c, given) in polynomial.coefficients.iter_mut().zip(given) {
@@ -44,7 +45,7 @@ impl Polynomial {
     }
 
     pub(crate) fn plus(&self, other: &Self) -> Self {
-        // Behind its terms a polynomial has zeros.
+        // The coefficients beyond `terms` are zero.
         Self::of((0..self.terms.max(other.terms)).map(|j| self.coefficients[j] + other.coefficients[j]))
     }
 
@@ -60,25 +61,25 @@ impl Polynomial {
         Self::of((1..self.terms).map(|j| self.coefficients[j] * number(j)))
     }
 
-    /// `∫₀^s`; the last coefficient must be free.
+    /// `∫₀^s`; the last coefficient must be unused.
     pub(crate) fn integral(&self) -> Self {
         let terms = (0..self.terms).map(|j| self.coefficients[j] / number(j + 1));
         Self::of(std::iter::once(Interval::ZERO).chain(terms))
     }
 
-    /// The same, of which the first coefficients are known in another way, too.
+    /// The same polynomial, with its first coefficients narrowed by other enclosures of them.
     pub(crate) fn known(mut self, first: &[Interval]) -> Self {
         self.coefficients[..self.terms].iter_mut().zip(first).for_each(|(c, known)| *c = c.meet(*known));
         self
     }
 
-    /// The mirror image at its origin.
+    /// The mirror image about its origin.
     pub(crate) fn mirrored(mut self) -> Self {
         self.coefficients[..self.terms].iter_mut().skip(1).step_by(2).for_each(|c| *c = -*c);
         self
     }
 
-    /// How wide its values for `0 ≤ s ≤ w` are because its coefficients are not known exactly, about.
+    /// The approximate width of its values for `0 ≤ s ≤ w` caused by the width of its coefficients.
     pub(crate) fn uncertainty(&self, width: f64) -> f64 {
         self.coefficients().iter().rev().fold(0.0, |sum, c| sum * width + (c.hi() - c.lo()))
     }
@@ -99,7 +100,7 @@ impl Polynomial {
         shifted
     }
 
-    /// The polynomial of `s` that this one is of `k s`.
+    /// The polynomial in `s` that results from replacing `s` by `k s`.
     pub(crate) fn scaled(&self, k: Interval) -> Self {
         let powers = std::iter::successors(Some(Interval::exact(1.0)), |power| Some(*power * k));
         Self::of(self.coefficients().iter().zip(powers).map(|(c, power)| *c * power))
@@ -117,7 +118,7 @@ impl Polynomial {
         sum * width
     }
 
-    /// All values for `0 ≤ s ≤ w`: between the least and the greatest Bernstein coefficient,
+    /// An enclosure of all values for `0 ≤ s ≤ w`, between the least and the greatest Bernstein coefficient,
     /// `b_i = Σ_{j ≤ i} C(i, j) / C(d, j) c_j w^j`.
     pub(crate) fn range(&self, width: Interval) -> Interval {
         let Some(degree) = self.terms.checked_sub(1) else { return Interval::ZERO };
@@ -137,8 +138,9 @@ impl Polynomial {
         range
     }
 
-    /// The parts of `0 ≤ s ≤ w` on which it may be negative, from the left: `take` is told by how much at most, where the part begins
-    /// and how wide it is, whether halves would say no more, and whether it has to take it. What it does not take it is told by halves.
+    /// Calls `take`, from left to right, for the parts of `0 ≤ s ≤ w` on which the polynomial may be negative. The arguments are the
+    /// largest possible magnitude there; the start and the width of the part; whether halving would not improve the bound; and whether
+    /// the part has to be accepted. If `take` returns false, the part is halved.
     pub(crate) fn negative(&self, width: Interval, mut take: impl FnMut(f64, [Interval; 2], [bool; 2]) -> bool) {
         let (mut looks, mut parts, mut next) = (0, Vec::new(), Some((*self, Interval::ZERO, width)));
         while let Some((part, start, width)) = next {
@@ -146,7 +148,7 @@ impl Polynomial {
             let is_settled = range.hi() <= 0.0 || -range.lo() <= 4.0 * part.uncertainty(width.hi());
             looks += usize::from(range.lo() < 0.0);
             if range.lo() < 0.0 && !take(-range.lo(), [start, width], [is_settled, MOST_PARTS <= looks]) {
-                // Halves of the upper bound of the width: they overlap by rounding and leave nothing out.
+                // The halves use the upper bound of the width, so they overlap by rounding and leave no part out.
                 let half = Interval::exact(0.5 * width.hi());
                 parts.extend([(part.shifted(half), start + half, half), (part, start, half)]);
             }
@@ -155,8 +157,8 @@ impl Polynomial {
     }
 }
 
-/// The Taylor coefficients about `x` of the polynomial with these coefficients in powers of the place. Each is carried as
-/// a number and an interval that holds what it is off by, so that what is lost is of the size of the square of a rounding.
+/// The Taylor coefficients about `x` of the polynomial with these coefficients in powers of the position. Each coefficient is carried as
+/// a number and an interval that contains its error, so that the final error has the size of a squared rounding error.
 pub(crate) fn expanded(given: &[f64], x: f64) -> Vec<Interval> {
     let mut taylor: Vec<(f64, Interval)> = given.iter().map(|&c| (c, Interval::ZERO)).collect();
     for start in 0..taylor.len() {
@@ -167,12 +169,12 @@ pub(crate) fn expanded(given: &[f64], x: f64) -> Vec<Interval> {
     taylor.into_iter().map(|(c, off)| Interval::exact(c) + off).collect()
 }
 
-/// `a x + b`, rounded, and what it is off by: anything, if it leaves the range of `f64`, where the rest is no number.
+/// `a x + b`, rounded, with its error. The error is unbounded if the sum overflows, because the rest is then not a number.
 fn carried((a, a_off): (f64, Interval), x: f64, (b, b_off): (f64, Interval)) -> (f64, Interval) {
     let product = a * x;
     let sum = product + b;
-    // What the product rounds off is a number, unless it is below the range of normal ones; what a sum rounds off always is
-    // (Knuth).
+    // The rounding error of the product is a floating-point number, unless it is below the normal range. The rounding error of a sum
+    // always is one (Knuth).
     let lost = libm::fma(a, x, -product);
     let part = sum - product;
     let rest = (product - (sum - part)) + (b - part);
@@ -181,7 +183,7 @@ fn carried((a, a_off): (f64, Interval), x: f64, (b, b_off): (f64, Interval)) -> 
     (sum, a_off * Interval::exact(x) + b_off + lost + Interval::exact(rest))
 }
 
-/// A small whole number.
+/// A small integer.
 #[expect(clippy::cast_precision_loss, reason = "at most a few dozen")]
 pub(crate) fn number(value: usize) -> Interval {
     Interval::exact(value as f64)

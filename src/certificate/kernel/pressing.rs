@@ -1,4 +1,4 @@
-//! What a moment field would have to pull with, and what it costs to cut that off.
+//! The tension that a moment field would require from the foundation, and the cost of cutting it off.
 
 use super::contact_node::EnclosedScene;
 use super::interval::Interval;
@@ -6,24 +6,24 @@ use super::polynomial::{Polynomial, number};
 use super::proof::Piece;
 use super::reference::{Line, OUTWARDS, near};
 
-/// What was cut off of the contact load: forces and couples on parts of the beam, all as magnitudes.
+/// The tension cut off from the contact load: forces and couples on parts of the beam, all as magnitudes.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct PullCutOff {
     /// Part, force, couple.
     pub(super) pulls: Vec<([f64; 2], f64, f64)>,
-    /// What moments in hinges cost under tension, which holds what they join.
+    /// The cost of moments in hinges under an axial tension, which supports the hinge.
     taut: Interval,
 }
 
 impl PullCutOff {
-    /// A concentrated force, cut off as far as it may be negative.
+    /// Cuts off the negative part of a concentrated force.
     pub(crate) fn force(&mut self, x: f64, force: Interval) {
         if force.lo() < 0.0 {
             self.pulls.push(([x, x], -force.lo(), 0.0));
         }
     }
 
-    /// What a pressure on a cell may pull with for `0 ≤ s ≤ w`.
+    /// Cuts off the tension in a pressure on a cell, for `0 ≤ s ≤ w`.
     pub(crate) fn pressure(&mut self, pressure: &Polynomial, cell: [f64; 2], width: Interval) {
         pressure.negative(width, |below, [_, width], end| {
             let is_taken = end.contains(&true);
@@ -32,10 +32,11 @@ impl PullCutOff {
         });
     }
 
-    /// A jump of the moment, `M(x+) − M(x−)`. At a support the ground beside it, on its left and on its right, can make one, if
-    /// it is level with the support and the beam follows it there: the limit of a contact force that grows as it comes nearer to
-    /// the support, which pulls. It costs nothing in the limit, since the gap of a force at the distance `ε` is `M² ε / 6 EI`.
-    /// From the left it is positive, from the right negative. Any other is cut off.
+    /// Cuts off a jump of the moment, `M(x+) − M(x−)`, that cannot occur. At a support the foundation on its left or on its right can
+    /// cause a jump, if the foundation is level with the support and the beam follows it there. This jump is the limit of a growing
+    /// contact force that approaches the support, while the support is in tension. It costs nothing in the limit, since the gap of a
+    /// force at the distance `ε` is `M² ε / 6 EI`. A jump caused from the left is positive, one from the right negative. Any other jump
+    /// is cut off.
     pub(crate) fn couple(&mut self, x: f64, jump: Interval, [left, right]: [bool; 2]) {
         let not_made = [(left, jump.hi()), (right, -jump.lo())].into_iter().filter(|(made, _)| !made);
         let cut = not_made.fold(0.0, |most: f64, (_, jump)| most.max(jump));
@@ -44,7 +45,7 @@ impl PullCutOff {
         }
     }
 
-    /// A moment in a hinge: beside it, a couple on each of both parts that it joins.
+    /// Cuts off a moment in a hinge, as a couple on each of the two parts next to it.
     pub(crate) fn hinge(&mut self, enclosed: &EnclosedScene<'_>, x: f64, moment: Interval) {
         if let Some(turn) = enclosed.turn_of_hinge(x) {
             self.taut = self.taut + turn * Interval::exact(moment.magnitude());
@@ -54,8 +55,8 @@ impl PullCutOff {
         }
     }
 
-    /// What is cut off is carried by one of the lines each: at least `√(∫ m²/EI dx)` of the moments `m` that this takes, and at
-    /// least the force at any datum of a line.
+    /// Bounds the effect of the tension that is cut off, if one of the lines carries each part of it. Returns a bound of at least
+    /// `√(∫ m²/EI dx)` for the moments `m` that this causes, and of at least the force at each datum of a line.
     ///
     /// ```text
     /// √(∫ m²/EI dx) ≤ Σ f √c(x, x) + Σ C √((L + 3 a)/3 EI)
@@ -75,7 +76,7 @@ impl PullCutOff {
     }
 }
 
-/// `q − EI g'''' + N g''` of a cell on which the beam lies on the ground, about an origin.
+/// `q − EI g'''' + N g''` about an origin, on a cell where the beam is in contact with the foundation.
 pub(crate) fn pressure(enclosed: &EnclosedScene<'_>, origin: f64, cell: [f64; 2]) -> Polynomial {
     let fourth = enclosed.gap.about(origin, cell).derivative().derivative().derivative().derivative();
     let stiffness = Interval::exact(enclosed.stiffness_between(cell));
@@ -87,7 +88,8 @@ pub(crate) fn pressure(enclosed: &EnclosedScene<'_>, origin: f64, cell: [f64; 2]
     pressure.plus(&bent.times(Interval::exact(enclosed.tension)))
 }
 
-/// A zone, as pieces: the beam on the foundation all the way between two places, if it can lie there; and what pulls.
+/// The pieces of a zone, where the beam is in contact with the foundation between two positions, and the tension there; [`None`] if the
+/// beam cannot follow the foundation.
 pub(crate) fn zone(enclosed: &EnclosedScene<'_>, ends: [f64; 2], cut_off: &mut PullCutOff) -> Option<Vec<Piece>> {
     let [from, to] = ends;
     enclosed.gap.is_smooth_between(from, to).then_some(())?;
@@ -101,7 +103,7 @@ pub(crate) fn zone(enclosed: &EnclosedScene<'_>, ends: [f64; 2], cut_off: &mut P
             (couple, force) = (couple + (before[0] - behind[0]), force + (before[1] - behind[1]));
         }
         cut_off.force(x, force);
-        // The moment of a beam that follows the ground does not jump, nor does that turn in a joint.
+        // The moment of a beam that follows the foundation does not jump, and the beam does not rotate in a joint there.
         cut_off.couple(x, couple, [false; 2]);
         if enclosed.is_joint(x) && !enclosed.gap.jet(x, true)[2].is_zero() {
             return None;
@@ -109,7 +111,7 @@ pub(crate) fn zone(enclosed: &EnclosedScene<'_>, ends: [f64; 2], cut_off: &mut P
     }
     let piece = |[from, to]: [f64; 2]| {
         let (cell, width) = ([from, to], Interval::length(from, to));
-        // From either end: a pressure that vanishes at one of them is known from there.
+        // The pressure is expanded from both ends: if it vanishes at an end, its sign is known from that end.
         let [p, other] = [pressure(enclosed, from, cell), pressure(enclosed, to, cell).mirrored()];
         let p = if p.range(width).lo() < other.range(width).lo() { &other } else { &p };
         cut_off.pressure(p, cell, width);

@@ -1,58 +1,58 @@
-//! What holds the beam: a reference line through two data, places at which a deflection is known. From a gap follows how far a
-//! deflection is off elsewhere, and from a force that has to be carried the bending that this takes.
+//! Reference lines: what holds the beam. A line runs through two data, positions at which a deflection is known. From a gap it bounds
+//! the error of a deflection elsewhere, and from a force that has to be carried the bending that this causes.
 //!
-//! The flexibility `c(x, x)` of a beam on two supports at a distance `L`, at `x`, is
+//! The flexibility `c(x, x)` at `x` of a beam on two supports at a distance `L` is
 //!
 //! ```text
 //! 3 EI c = s² r²/L        between them, s + r = L being the distances from both
 //! 3 EI c = a² (L + a)     beyond one of them by a
 //! ```
 //!
-//! Built in, a beam is held by two supports at one place: `L = 0`. Any two of several supports will do, since dropping supports
-//! only makes a beam more flexible.
+//! A built-in beam has two supports at one position: `L = 0`. If there are more supports, any two of them can be used, since removing
+//! supports only makes a beam more flexible.
 //!
-//! Where the beam is held by contact forces, a place is a part of the beam on which they have a resultant `P`. Somewhere on it
-//! the true clearance is at most `gap/P`, and that of `v̂` is known, so that the two differ there by at most the larger one, `ε`:
+//! If contact forces hold the beam, a datum is a part of the beam on which their resultant is `P`. Somewhere on this part the true
+//! clearance is at most `gap/P`. The clearance of `v̂` is known, so the two differ there by at most the larger one, `ε`:
 //!
 //! ```text
 //! |v̂ − v*|(x) ≤ |1 − t| ε₁ + |t| ε₂ + √(2 gap c(x, x)),     t = (x − y₁)/(y₂ − y₁)
 //! ```
 //!
-//! with the worst `y₁`, `y₂` of the two parts.
+//! with the least favourable `y₁`, `y₂` of the two parts.
 //!
-//! Supports that give add what they give under a force of one at `x`, and one that holds the beam alone against turning with `k_t`
+//! Elastic supports add their displacement under a unit force at `x`. A single one holds the beam with a rotational spring `k_t`:
 //!
 //! ```text
 //! c = … + (1 − t)²/k₁ + t²/k₂,          c = … + 1/k + a²/k_t
 //! ```
 //!
-//! A hinge is a support of what it joins to: its `1/k` is the `c` there of the beam on the other side. A line through one says nothing of
-//! that side.
+//! A hinge is a support of the part that it connects to. Its `1/k` is the `c` at the hinge of the beam on the other side. A line through
+//! a hinge says nothing about that side.
 
-/// More than a dozen roundings of a sum of products without cancellation (Higham 2002, section 3.1).
+/// More than the rounding of a dozen operations in a sum of products without cancellation (Higham 2002, section 3.1).
 pub(crate) const OUTWARDS: f64 = 1.0 + 32.0 * f64::EPSILON;
 
-/// A datum: a part of the beam, mostly a single place, on which contact presses with a force of at least `presses`, and somewhere
-/// on which `|v̂ − v*|` is at most `uncertainty`.
+/// A datum: a part of the beam, usually a single position, with a contact force of at least `presses`. Somewhere on the part `|v̂ − v*|`
+/// is at most `uncertainty`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Datum {
     pub(crate) from: f64,
     pub(crate) to: f64,
-    /// Infinite for a support, which exerts whatever it has to.
+    /// Infinite for a support whose reaction is not limited.
     pub(crate) presses: f64,
     pub(crate) uncertainty: f64,
-    /// `3 EI/k` of a support that gives, and of one that holds the beam alone against turning `3 EI/k_t`.
+    /// `3 EI/k` of an elastic support, and `3 EI/k_t` of one that holds the beam alone with a rotational spring.
     pub(crate) soft: [f64; 2],
-    /// Of one that only pushes: what it takes up, at least. It is pressed if the gap is less.
+    /// A lower bound of the energy stored in a compression-only support. The support is pressed if the gap is smaller.
     pub(crate) energy: f64,
-    /// By how much a force there may grow on its way to places that press.
+    /// The factor by which a force there may increase on its way to positions with contact forces.
     pub(crate) spread: f64,
-    /// Between which places a line through it says anything: those of hinges.
+    /// The interval, between hinges, in which a line through this datum is valid.
     pub(crate) reach: [f64; 2],
 }
 
 impl Datum {
-    /// Where the deflection is known.
+    /// A position where the deflection is known.
     pub(crate) fn at(x: f64) -> Self {
         let far = f64::INFINITY;
         Self {
@@ -68,27 +68,27 @@ impl Datum {
     }
 }
 
-/// A reference line through the left and the right datum, the same one where the beam cannot turn.
+/// A reference line through the left and the right datum; both are the same if the beam cannot rotate there.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Line(pub(crate) Datum, pub(crate) Datum);
 
-/// Of lines from left to right those near a part of the beam, so that the price of a bound does not grow with all of them. Each line
-/// by itself bounds what is asked, so that any of them may be left out.
+/// The lines near a part of the beam, from lines sorted from left to right, so that the cost of a bound does not increase with their
+/// number. Every single line gives a valid bound, so any of them may be omitted.
 pub(crate) fn near(lines: &[Line], [a, _]: [f64; 2]) -> &[Line] {
-    /// On each side; of places that are known exactly the nearest two are the best (*tuned* for those in zones).
+    /// Number of lines on each side. For positions that are known exactly the nearest two are the best (*tuned* for positions in zones).
     const MOST: usize = 64;
     let next = lines.partition_point(|line| line.0.from <= a);
     &lines[next.saturating_sub(MOST)..lines.len().min(next + MOST)]
 }
 
 impl Line {
-    /// What contact presses with at least at each of the two.
+    /// The smaller of the two lower bounds of the contact forces.
     pub(crate) fn presses(&self) -> f64 {
         self.0.presses.min(self.1.presses)
     }
 
-    /// At least `√(3 EI c(x, x))` for `a ≤ x ≤ b`; joints, of which `soft` is `3 EI Σ 1/k`, add the squares of the moments there of a force
-    /// of one at `x`.
+    /// An upper bound of `√(3 EI c(x, x))` for `a ≤ x ≤ b`. Joints with `soft`, that is `3 EI Σ 1/k`, add the squares of their moments
+    /// under a unit force at `x`.
     pub(crate) fn lever(&self, [a, b]: [f64; 2], soft: f64) -> f64 {
         let Self(left, right) = self;
         if a < left.reach[0] || left.reach[1] < b {
@@ -110,7 +110,7 @@ impl Line {
         (most * most + soft * moment * moment + gives).sqrt() * OUTWARDS
     }
 
-    /// What supports that give add to the square of a lever.
+    /// The contribution of elastic supports to the square of a lever.
     fn gives(&self, [a, b]: [f64; 2]) -> f64 {
         let Self(left, right) = self;
         let ([soft, turns], [other, _]) = (left.soft, right.soft);
@@ -128,7 +128,7 @@ impl Line {
         if 0.0 < apart { (soft * near * near + other * behind * behind) * OUTWARDS } else { f64::INFINITY }
     }
 
-    /// At least `|1 − t| ε₁ + |t| ε₂` for `a ≤ x ≤ b`; infinite where the two parts are not apart.
+    /// An upper bound of `|1 − t| ε₁ + |t| ε₂` for `a ≤ x ≤ b`; infinite if the two parts are not separate.
     pub(crate) fn shift(&self, [a, b]: [f64; 2]) -> f64 {
         let Self(left, right) = self;
         if left.uncertainty.max(right.uncertainty) <= 0.0 {
@@ -139,12 +139,12 @@ impl Line {
         if left.to < right.from { most(a).max(most(b)) / (right.from - left.to) * OUTWARDS } else { f64::INFINITY }
     }
 
-    /// How far a part reaches beyond the two places.
+    /// The distance by which a part extends beyond the two positions.
     fn beyond(&self, [a, b]: [f64; 2]) -> f64 {
         (b - self.1.from).max(self.0.to - a).max(0.0)
     }
 
-    /// A couple of one at a place on a part takes moments `m` with `3 EI ∫ m²/EI dx ≤ L + 3 a`; at least the root of it.
+    /// An upper bound of `√(3 EI ∫ m²/EI dx)` for the moments `m` of a unit couple somewhere on a part: `3 EI ∫ m²/EI dx ≤ L + 3 a`.
     pub(crate) fn lever_of_couple(&self, part: [f64; 2], soft: f64) -> f64 {
         let (Self(left, right), apart) = (self, self.1.from - self.0.to);
         if part[0] < left.reach[0] || left.reach[1] < part[1] {
@@ -160,8 +160,8 @@ impl Line {
         ((self.1.to - self.0.from) + 3.0 * self.beyond(part) + soft + gives).sqrt() * OUTWARDS
     }
 
-    /// At least the force at each of the two places that a force and a couple on a part take. One place that holds the beam
-    /// against turning takes the force alone.
+    /// An upper bound of the force that a force and a couple on a part cause at each of the two positions. A single position that holds
+    /// the beam against rotation carries the force alone.
     pub(crate) fn share(&self, part: [f64; 2], force: f64, couple: f64) -> f64 {
         let length = self.1.from - self.0.to;
         let turned = force * self.beyond(part) + couple;
@@ -176,14 +176,14 @@ mod tests {
 
     /// Each number is a sum of products without cancellation.
     const ROUNDING: f64 = 1e-13;
-    /// Places that are tried on a part.
+    /// Number of intervals between the positions tried on a part.
     const TRIED: u32 = 40;
 
     fn between([from, to]: [f64; 2]) -> impl Iterator<Item = f64> + Clone {
         (0..=TRIED).map(move |k| from + (to - from) * f64::from(k) / f64::from(TRIED))
     }
 
-    /// `3 EI c(x, x)` of a beam that is held at `y₁` and `y₂`.
+    /// `3 EI c(x, x)` of a beam supported at `y₁` and `y₂`.
     fn flexibility(x: f64, [left, right]: [f64; 2]) -> f64 {
         let length = right - left;
         if x < left {
@@ -209,7 +209,7 @@ mod tests {
         assert!(most <= bound && bound <= most * (1.0 + ROUNDING), "{bound} for {most}");
     }
 
-    /// Two places at which a deflection is known: between the supports, beyond either, and one place where it is built in.
+    /// Two positions at which a deflection is known: between the supports, beyond either, and one position where the beam is built in.
     #[test]
     fn at_a_place_the_bounds_are_reached() {
         let pairs = [[2.0, 5.0], [0.0, 10.0], [3.0, 3.0], [4.0, 4.5]];
@@ -231,7 +231,7 @@ mod tests {
         }
     }
 
-    /// Over a part, and where a place is somewhere on a part of the beam, the worst of all counts.
+    /// For a part of the beam, and for data that are somewhere on a part, the least favourable positions count.
     #[test]
     fn over_parts_the_worst_counts() {
         let places = [[1.0, 1.25], [4.0, 4.5]];
@@ -255,20 +255,21 @@ mod tests {
         }
     }
 
-    /// By statics: a couple beyond a support bends the beam up to there and then ever less; supports share a force by its lever.
+    /// By statics: a couple beyond a support bends the overhang up to the support and decreases linearly beyond it; the supports share a
+    /// force by its lever arm.
     #[test]
     fn couples_and_forces_beyond_a_support() {
         let line = Line(Datum::at(2.0), Datum::at(5.0));
         for (part, beyond) in [([6.5, 7.0], 2.0), ([0.5, 0.75], 1.5)] {
-            // 3 ∫m² of a moment of one over the overhang, and from one to zero between the supports.
+            // 3 ∫m² of a unit moment over the overhang, decreasing from one to zero between the supports.
             reached(line.lever_of_couple(part, 0.0), (3.0_f64 * beyond + 3.0).sqrt());
-            // The support beside it carries F (L + a)/L + C/L.
+            // The support next to it carries F (L + a)/L + C/L.
             reached(line.share(part, 0.5, 0.125), (0.5 * (3.0 + beyond) + 0.125) / 3.0);
         }
-        // Between them a couple takes (s³ + r³)/L² ≤ L.
+        // Between the supports a couple causes (s³ + r³)/L² ≤ L.
         reached(line.lever_of_couple([2.0, 5.0], 0.0), 3.0_f64.sqrt());
         reached(line.share([3.0, 4.0], 0.5, 0.125), 0.5 + 0.125 / 3.0);
-        // Built in, one place carries the force and the couple.
+        // A single built-in position carries the force and the couple.
         let built_in = Line(Datum::at(2.0), Datum::at(2.0));
         reached(built_in.share([3.0, 4.0], 0.5, 0.125), 0.5);
         reached(built_in.lever_of_couple([3.0, 4.0], 0.0), 6.0_f64.sqrt());
@@ -276,12 +277,12 @@ mod tests {
             Datum { to: 2.0, uncertainty: 0.5, ..Datum::at(1.0) },
             Datum { to: 5.5, uncertainty: 0.5, ..Datum::at(5.0) },
         );
-        // The worst places: far apart for a couple, close together for a share.
+        // The least favourable positions: far apart for a couple, close together for a share.
         reached(wide.lever_of_couple([6.0, 7.0], 0.0), (4.5_f64 + 3.0 * 2.0).sqrt());
         reached(wide.share([6.0, 7.0], 0.5, 0.125), 0.5 + (0.5 * 2.0 + 0.125) / 3.0);
     }
 
-    /// Hundreds of supports, some of which hold the slope: those near a part bound as well as all of them.
+    /// Hundreds of supports, some of them built in: the lines near a part give the same bound as all lines.
     #[test]
     fn the_best_holds_are_near() {
         let count = 400_u32;
@@ -291,7 +292,7 @@ mod tests {
             let one = (k.is_multiple_of(7)).then(|| Line(Datum::at(at(k)), Datum::at(at(k))));
             one.into_iter().chain(two)
         };
-        // The beam is longer than its supports reach.
+        // The beam extends beyond its supports.
         let lines: Vec<Line> = (20..count).flat_map(of).collect();
         for part in (0..4 * (count + 30)).map(|k| [0.25 * f64::from(k), 0.25 * f64::from(k + k % 3)]) {
             let least =

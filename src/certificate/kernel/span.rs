@@ -1,8 +1,8 @@
-//! A part of the beam that hangs free between two nodes: the exact beam under the true load, given deflection and slope
-//! at both ends. At a free end of the beam nothing is given, and moment and shear force vanish beyond it.
+//! A part of the beam that hangs free between two nodes: the exact beam under the true load, with given deflection and slope at both
+//! ends. At a free end of the beam nothing is given, and moment and shear force are zero beyond it.
 //!
-//! The load at the distances `a` and `b` from the two ends, `a + b = L`, turns the beam at fixed ends by `E₀ = ∫ a b² q / L²` and
-//! `E₁ = ∫ a² b q / L²`. With `Δv = v₁ − v₀ − θ₀ L`, `Δθ = θ₁ − θ₀` and a point load `P` at a free end
+//! With fixed ends, the load at the distances `a` and `b` from the two ends, `a + b = L`, causes values of `EI v''` there of
+//! `E₀ = ∫ a b² q / L²` and `E₁ = ∫ a² b q / L²`. With `Δv = v₁ − v₀ − θ₀ L`, `Δθ = θ₁ − θ₀` and a point load `P` at a free end
 //!
 //! ```text
 //! EI v''(0) = EI (6 Δv/L − 2 Δθ)/L + E₀,        EI v''(L) = EI (4 Δθ − 6 Δv/L)/L + E₁
@@ -10,8 +10,8 @@
 //! free on the right   EI v''(0) = ∫ a q + P L,  v''(L) = 0,       on the left the mirror image
 //! ```
 //!
-//! A couple is in these integrals what a force is, differentiated by its place.
-//! A load near one of the ends has all its digits in each of these integrals.
+//! A couple enters these integrals like a force, differentiated with respect to its position. Each of these integrals keeps all digits
+//! for a load near one of the ends.
 
 use std::rc::Rc;
 
@@ -22,13 +22,13 @@ use super::load::{EnclosedLoad, cells};
 use super::polynomial::{Polynomial, number};
 use super::tension::Parts;
 
-/// `v, v', v'', v'''` at a place.
+/// `v, v', v'', v'''` at a position.
 pub(crate) type Jet = [Interval; 4];
 
 /// `[v, v']` at the ends that are not free.
 type Ends = [Option<[Interval; 2]>; 2];
 
-/// The deflection between two places, about each of them.
+/// The deflection between two positions, as a polynomial about each of them.
 pub(crate) type Curve = ([f64; 2], [Polynomial; 2]);
 
 /// A span with its deflection.
@@ -36,20 +36,20 @@ pub(crate) type Curve = ([f64; 2], [Polynomial; 2]);
 pub(crate) struct Span {
     pub(crate) from: f64,
     pub(crate) to: f64,
-    /// At its left end.
+    /// The state at its left end.
     pub(crate) start: Jet,
-    /// At its right end.
+    /// The state at its right end.
     pub(crate) end: Jet,
-    /// What its load presses with on its ends if the beam is cut there.
+    /// The forces of its load on its ends, if the span is simply supported there.
     pub(crate) loaded: [Interval; 2],
-    /// Where the beam changes on it: how flexible it is, and by how much its slope jumps in joints.
+    /// If the beam changes on the span: its flexibility, and the jumps of its slope in joints.
     pub(super) flexible: Option<Rc<Flexible>>,
     pub(super) kinks: Vec<(f64, Interval)>,
-    /// Under an axial force its parts.
+    /// Its parts, under an axial force.
     pub(super) hung: Option<Parts>,
 }
 
-/// `∫ b q`, `∫ a q`, `∫ a b² q` and `∫ a² b q` of what stands between two places, at the distances `a` and `b` from them.
+/// `∫ b q`, `∫ a q`, `∫ a b² q` and `∫ a² b q` of the loads between two positions, at the distances `a` and `b` from them.
 fn integrals(load: &EnclosedLoad, [from, to]: [f64; 2]) -> [Interval; 4] {
     let mut sums = [Interval::ZERO; 4];
     for &(x, couple) in load.couples.iter().filter(|(x, _)| from < *x && *x < to) {
@@ -76,8 +76,8 @@ fn integrals(load: &EnclosedLoad, [from, to]: [f64; 2]) -> [Interval; 4] {
     sums
 }
 
-/// Deflection on neighbouring cells, each about the end that comes first, starting with `jet` there: from left to right, or all the
-/// other way.
+/// The deflection on neighbouring cells, each about its first end in the direction of travel, starting there with `jet`. The cells run
+/// from left to right, or all in the opposite direction.
 fn march(enclosed: &EnclosedScene<'_>, mut jet: Jet, cells: &[[f64; 2]], kinks: &[(f64, Interval)]) -> Vec<Polynomial> {
     let march = |&[near, far]: &[f64; 2]| {
         let stiffness = Interval::exact(enclosed.stiffness_between([near.min(far), near.max(far)]));
@@ -105,8 +105,8 @@ fn march(enclosed: &EnclosedScene<'_>, mut jet: Jet, cells: &[[f64; 2]], kinks: 
 }
 
 impl Span {
-    /// The beam between two places with deflection and slope `[v, v']` at both, or at the one that is not free; `rise` is
-    /// `v₁ − v₀ − θ₀ L` if that is known in another way, too.
+    /// The beam between two positions with deflection and slope `[v, v']` at both, or at the one that is not free. `rise` is a second
+    /// enclosure of `v₁ − v₀ − θ₀ L`, if there is one.
     pub(crate) fn new(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2], ends: Ends, rise: Option<Interval>) -> Self {
         if enclosed.tension != 0.0 {
             let ([b, a, ..], length) = (integrals(enclosed.load, [from, to]), Interval::length(from, to));
@@ -118,7 +118,7 @@ impl Span {
         let (stiffness, length) = (Interval::exact(enclosed.stiffness_between([from, to])), Interval::length(from, to));
         let [b, a, ab2, a2b] = integrals(enclosed.load, [from, to]);
         let fixed = [ab2, a2b].map(|turned| turned / (length * length) / stiffness);
-        // From a node to the free end of an overhang, to the left with a negative length.
+        // From a node to the free end of an overhang; if the overhang is to the left, with a negative length.
         let free = |[v, slope]: [Interval; 2], to: Interval, [arms, near, far]: [Interval; 3], tip: f64| {
             let couple = enclosed.load.couple(tip) / stiffness;
             let couple = if from < tip { couple } else { -couple };
@@ -152,7 +152,7 @@ impl Span {
         Self { from, to, start, end, loaded, flexible: None, kinks: Vec::new(), hung: None }
     }
 
-    /// The same of one on which the beam changes.
+    /// The same for a span on which the beam changes.
     fn flexible(
         enclosed: &EnclosedScene<'_>,
         [from, to]: [f64; 2],
@@ -163,7 +163,7 @@ impl Span {
         let (load, length) = (enclosed.load, Interval::length(from, to));
         let [b, a, ..] = integrals(load, [from, to]);
         let loaded = [b, a].map(|arms| arms / length);
-        // At a free end the moments of what acts there, and at the other one those of all that acts beyond it.
+        // At a free end, the moments of the loads at the tip; at the other end, the moments of all loads on the overhang.
         let tips = [(from, -number(1)), (to, number(1))]
             .map(|(tip, sign)| (load.point(tip) * length, load.couple(tip) * sign));
         let mut hinges = Vec::new();
@@ -181,7 +181,7 @@ impl Span {
         let mut kinks = flexible.kinks(moments);
         kinks.extend(hinges);
         let turns = flexible.turns(moments);
-        // Both ends from the one that is known, and slopes that the load makes from the straight line.
+        // The state of both ends from the known one, with the end slopes relative to the chord.
         let [left, right] = match ends {
             [Some(left), Some(right)] => [left, right],
             [Some(left), None] => {
@@ -198,14 +198,14 @@ impl Span {
         let shear = (moments[1] - moments[0]) / length;
         let start = [left[0], left[1], -(moments[0] / near), -((shear + loaded[0]) / near)];
         let end = [right[0], right[1], -(moments[1] / far), -((shear - loaded[1]) / far)];
-        // A joint at its right end is a part of it.
+        // A joint at the right end is part of the span.
         let at_end =
             kinks.iter().filter(|(x, _)| x.total_cmp(&to).is_eq()).fold(Interval::ZERO, |sum, kink| sum + kink.1);
         let end = [end[0], end[1] - at_end, end[2], end[3]];
         Self { from, to, start, end, loaded, flexible: Some(Rc::new(flexible)), kinks, hung: None }
     }
 
-    /// How minus the moments at both ends answer to the slopes there, in the unit of moments, by its middle: `[end][slope]`.
+    /// The derivatives of minus the end moments with respect to the end slopes, in the unit of moments, as midpoints: `[end][slope]`.
     pub(crate) fn answer(&self, enclosed: &EnclosedScene<'_>) -> [[f64; 2]; 2] {
         let stiffness = enclosed.stiffness_between([self.from, self.to]) / enclosed.unit();
         let stiff = 2.0 * stiffness / (self.to - self.from);
@@ -213,12 +213,12 @@ impl Span {
         self.flexible.as_ref().map_or(closed, |of| of.answer().map(|row| row.map(|value| -value.middle())))
     }
 
-    /// By how much its slope jumps in joints, with the place of each.
+    /// The jumps of the slope in joints, with their positions.
     pub(crate) fn kinks(&self) -> &[(f64, Interval)] {
         &self.kinks
     }
 
-    /// What moment there is in its hinges for those at both ends, with the place of each.
+    /// The moments in the hinges for given end moments, with their positions.
     pub(crate) fn hinges(&self, enclosed: &EnclosedScene<'_>, moments: [Interval; 2]) -> Vec<(f64, Interval)> {
         match (&self.hung, &self.flexible) {
             (Some(parts), _) => self.hinges_under_tension(enclosed, parts, moments),
@@ -227,8 +227,8 @@ impl Span {
         }
     }
 
-    /// `V`, or under an axial force `H`, at its two ends from the moments there: not from the third derivative, of which rounding is larger by the square of a
-    /// short span.
+    /// `V`, or `H` under an axial force, at its two ends from the moments there. The third derivative is not used, because its rounding
+    /// is larger by the square of the inverse length of a short span.
     pub(crate) fn shears(&self, tension: f64, moments: [Interval; 2]) -> [Interval; 2] {
         let length = Interval::length(self.from, self.to);
         let shear = (moments[1] - moments[0]) / length;
@@ -237,7 +237,7 @@ impl Span {
         [shear + self.loaded[0], shear - self.loaded[1]]
     }
 
-    /// At least `½∫ (EI v'' + M)²/EI dx`, and the same of joints, from the moments at its two ends.
+    /// An upper bound of `½∫ (EI v'' + M)²/EI dx`, including joints, from the moments at its two ends.
     pub(crate) fn work(&self, enclosed: &EnclosedScene<'_>, moments: [Interval; 2]) -> Interval {
         if let Some(parts) = &self.hung {
             return self.work_under_tension(enclosed, parts, moments);
@@ -250,7 +250,7 @@ impl Span {
         flexible.work([near * self.start[2] + moments[0], far * self.end[2] + moments[1]])
     }
 
-    /// `6 ∫ (EI v'' + M)² dx` from the moments at its two ends: `EI v'' + M` is linear, also over a couple.
+    /// `6 ∫ (EI v'' + M)² dx` from the moments at its two ends; `EI v'' + M` is linear, even across a couple.
     pub(crate) fn misfit(&self, stiffness: Interval, moments: [Interval; 2]) -> Interval {
         let r = [stiffness * self.start[2] + moments[0], stiffness * self.end[2] + moments[1]];
         Interval::length(self.from, self.to) * (r[0].square() + r[1].square() + (r[0] + r[1]).square())
@@ -274,8 +274,8 @@ impl Span {
         cells(self.from, self.to, load.breaks(self.from, self.to)).into_iter().map(part).collect()
     }
 
-    /// Its deflection by parts without a break of the load, each known from both of its ends: `v(from + s)` and `v(to + s)`;
-    /// `breaks` besides those of the load. Without those of the foundation rounding does not grow there.
+    /// The deflection by parts without a break of the load, each known from both of its ends: `v(from + s)` and `v(to + s)`. `breaks`
+    /// are added to the breaks of the load. Without the breaks of the foundation, rounding does not increase there.
     pub(crate) fn curves(&self, enclosed: &EnclosedScene<'_>, mut breaks: Vec<f64>) -> Vec<Curve> {
         breaks.extend(enclosed.breaks(self.from, self.to));
         if let Some(parts) = &self.hung {

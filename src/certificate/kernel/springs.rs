@@ -1,29 +1,31 @@
-//! Ground that gives, `p = k (v − g)₊`: a proven pair from parts on which the beam is pressed, each with a polynomial from anybody.
+//! Elastic foundation, `p = k (v − g)₊`: a proven pair from parts on which the beam is pressed, each with a polynomial from any source.
 //!
-//! For any `v̂` that its supports hold and any `p ≥ 0` in balance with the loads and a moment field `M`, with `w = v̂ − g`
+//! For any `v̂` that satisfies the supports, and any `p ≥ 0` in equilibrium with the loads and a moment field `M`, with `w = v̂ − g`
 //!
 //! ```text
 //! J(v̂) − D(p, R) ≤ ½∫ (EI v̂'' + M)²/EI + ½∫ (k w − p)²/k over pressed parts + ½∫ k w₊² over the others = gap
 //! ½∫ EI (v̂'' − v*'')² + ½∫ k (w₊ − w*₊)² ≤ gap
 //! ```
 //!
-//! and in a joint `½ (k_j [v̂'] + M)²/k_j` more. Supports that give are supports at a level that is said (`giving`); a hinge has no moment. `EI` and `k` are one number on a stretch; where `k = 0` nothing presses, and `v̂` is free.
+//! and in a joint `½ (k_j [v̂'] + M)²/k_j` in addition. Elastic supports are supports at a level from the candidate contact list
+//! (`giving`). A hinge has no moment. `EI` and `k` are constant on a stretch. Where `k = 0` there is no contact pressure, and `v̂` is
+//! free.
 //!
-//! Between pressed parts the beam hangs as on rigid ground. On one, with the polynomial `t` that is given, and cubics `δ` and `r` by
-//! which `v̂` and `M` are what they are at its two ends,
+//! Between pressed parts the beam hangs free, as on a rigid foundation. On a pressed part the polynomial `t` is given, and the cubics
+//! `δ` and `r` adjust `v̂` and `M` to their values at its two ends:
 //!
 //! ```text
 //! v̂ = g + t + δ,    M = ∬(k t − q) + r,    p = M'' + q = k t + r'':    k w − p = k δ − r''
 //! ```
 //!
-//! Under an axial force (`tension`) `M'' = p − q − N v̂''`: it is `M + N (v̂ − v̂₀)` that is `∬(k t − q) + r` with the vertical forces for its
-//! slopes, which makes the same of `p`.
+//! Under an axial force (`tension`) `M'' = p − q − N v̂''`. Then `M + N (v̂ − v̂₀)` is `∬(k t − q) + r`, with the vertical forces as its
+//! end slopes, and `p` is the same.
 //!
 //! Over a stretch far shorter than `(4 EI/k)^¼`, `δ` is a line and only one end is given (`walks`).
 //!
-//! Neither that `w ≥ 0` here nor that `w ≤ 0` elsewhere has to be proven. What pulls is cut off: from a beam that its supports do
-//! not hold a share `t` of the pressure on two parts, which costs `t √(∫p²/k)`. Of such a part `I` on which `w > e = √(2 gap/k|I|)` a
-//! place has `|v̂ − v*| ≤ e`, and so do groups of parts (`groups`).
+//! It is not necessary to prove that `w ≥ 0` on pressed parts or `w ≤ 0` elsewhere. Tension is cut off. If the supports do not hold the
+//! beam, a share `t` of the pressure on two parts is removed in exchange, which costs `t √(∫p²/k)`. If `w > e = √(2 gap/k|I|)` on such a
+//! part `I`, then `|v̂ − v*| ≤ e` at some position of it; the same applies to groups of parts (`groups`).
 
 mod groups;
 mod held;
@@ -39,33 +41,34 @@ use super::reference::Datum;
 use super::span::Span;
 use super::tension::Taut;
 
-/// A part of the beam, from anybody.
+/// A part of the beam, from any source.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stretch {
-    /// Where it begins.
+    /// Position of its left end.
     pub from: f64,
-    /// Where it ends.
+    /// Position of its right end.
     pub to: f64,
-    /// Coefficients of `t(from + s)` where the ground presses; none where the beam hangs.
+    /// Coefficients of `t(from + s)` where the foundation is pressed; empty where the beam hangs.
     pub sunk: Vec<f64>,
-    /// At its two ends the penetration where the ground presses, the deflection where the beam hangs, with its slope; moment and shear.
+    /// At its two ends: the penetration where the foundation is pressed or the deflection where the beam hangs; its slope; moment; shear
+    /// force.
     pub ends: [[f64; 4]; 2],
 }
 
-/// Coefficients of `t`: so that what it causes has no more than a polynomial.
+/// Largest number of coefficients of `t`, so that the moments it causes fit into a polynomial.
 pub(crate) const MOST_TERMS: usize = TERMS - 2;
 
-/// A scene on ground that gives, with stretches from end to end.
+/// A scene on an elastic foundation, with stretches from end to end.
 struct OnSprings<'a> {
     enclosed: &'a EnclosedScene<'a>,
     stretches: &'a [Stretch],
-    /// For each node what was walked to there; empty before.
+    /// For each node the state that was reached along a short stretch; empty before.
     reached: Vec<Option<Reached>>,
-    /// For each node the shear forces on both sides that were walked to; empty before.
+    /// For each node the shear forces on both sides that were reached along short stretches; empty before.
     sheared: Vec<Option<[Interval; 2]>>,
 }
 
-/// A pressed part, its least penetration, what a share of its pressure costs, that share of `√(∫p²/k)`, and `∫ k`.
+/// A pressed part: its position, its least penetration, a bound of `√(∫p²/k)` over its contact force, and `∫ k`.
 struct Carrier {
     place: Datum,
     sunk: f64,
@@ -75,27 +78,27 @@ struct Carrier {
     length: f64,
 }
 
-/// What all stretches come to.
+/// The sums over all stretches.
 #[derive(Default)]
 struct Sums {
     pieces: Vec<Piece>,
     moments: Vec<([f64; 2], Polynomial)>,
     carriers: Vec<Carrier>,
     cut_off: PullCutOff,
-    /// `∫ p²/k` of what any pressure pulls with.
+    /// `∫ p²/k` of the negative part of the pressure.
     pull: Interval,
-    /// Twice the gap without what is cut off.
+    /// Twice the gap, without the tension that is cut off.
     square: Interval,
     /// `∫ k w₊²`.
     energy: Interval,
-    /// `Σ k_j [v̂']²`, and twice what supports that give take up.
+    /// `Σ k_j [v̂']²`, and twice the energy of elastic supports.
     turned: Interval,
-    /// The forces of those, from left to right.
+    /// The reactions of elastic supports, from left to right.
     forces: Vec<(f64, Interval)>,
 }
 
-/// The cubic that has given values and slopes at `0` and `w`, less those of a polynomial; with a mean slope `a` that is known in another
-/// way than as a quotient.
+/// The cubic that has given values and slopes at `0` and `w`, minus those of the polynomial `less`. `mean` is the mean slope, if it is
+/// known other than as a quotient.
 pub(super) fn cubic(ends: [[Interval; 2]; 2], less: &Polynomial, w: Interval, mean: Option<Interval>) -> Polynomial {
     let off = |k: usize, s: Interval| [ends[k][0] - less.at(s), ends[k][1] - less.derivative().at(s)];
     let ([y0, d0], [y1, d1]) = (off(0, Interval::ZERO), off(1, w));
@@ -116,8 +119,9 @@ impl OnSprings<'_> {
         self.beside(node, left).is_some_and(|stretch| !stretch.sunk.is_empty())
     }
 
-    /// `w` and `w'` at a node on one of its sides: as is said on its right side, or on its left one if ground presses only there, as
-    /// was walked to, or as the support holds it. [`None`] where no ground presses beside it.
+    /// `w` and `w'` at a node on one of its sides: the values given on its right side, or on its left side if the foundation is pressed
+    /// only there; the values reached along a short stretch; or those of the support. [`None`] if the foundation is not pressed on
+    /// either side.
     fn sunk(&self, node: usize, left: bool) -> Option<[Interval; 2]> {
         let own = [false, true].into_iter().find(|side| self.is_pressed(node, *side))?;
         let gap = self.enclosed.gap.jet(self.x(node), left);
@@ -133,7 +137,7 @@ impl OnSprings<'_> {
             Some(reached) => reached,
             None => (own, [self.said(node, own, 0)?, self.said(node, own, 1)?]),
         };
-        // Beyond a joint the slope is another one.
+        // Beyond a joint the slope is a different one.
         let slope = match self.enclosed.joint(self.x(node)).filter(|_| side != left) {
             Some(_) => self.said(node, left, 1)? - if self.is_pressed(node, left) { Interval::ZERO } else { gap[1] },
             None => slope + jump(side, 1),
@@ -143,10 +147,10 @@ impl OnSprings<'_> {
         Some([support.deflection - gap[0], support.slope.map_or(free[1], |slope| slope - gap[1])])
     }
 
-    /// `v̂` and its slope at a node, at a joint that on its right side; [`None`] at a free end that hangs.
+    /// `v̂` and its slope at a node, at a joint the slope on its right side; [`None`] at a free end that hangs.
     fn end(&self, node: usize) -> Option<[Interval; 2]> {
         let (x, left) = (self.x(node), !self.is_pressed(node, false));
-        // Of a joint the slope beyond it.
+        // At a joint the slope is the one beyond it.
         let left = left && self.enclosed.joint(x).is_none();
         let own = self.sunk(node, left).map(|w| [0, 1].map(|j| self.enclosed.gap.jet(x, left)[j] + w[j]));
         let Some(support) = self.enclosed.support(x) else { return own };
@@ -154,12 +158,13 @@ impl OnSprings<'_> {
         Some([support.deflection, slope?])
     }
 
-    /// What is said on one side of a node.
+    /// The value given on one side of a node.
     fn said(&self, node: usize, left: bool, which: usize) -> Option<Interval> {
         Some(Interval::exact(self.beside(node, left)?.ends[usize::from(left)][which]))
     }
 
-    /// Whether stretches go from end to end, each with one formula where ground presses, and rest on something where they meet.
+    /// Whether the stretches cover the beam from end to end, each has one formula where the foundation is pressed, and `v̂` is
+    /// determined where they meet.
     fn is_complete(&self) -> bool {
         let Self { enclosed, stretches, .. } = self;
         let chained = stretches.windows(2).all(|w| (w[0].to - w[1].from).abs() <= 0.0);
@@ -174,7 +179,7 @@ impl OnSprings<'_> {
         whole && (1..stretches.len()).all(|i| self.end(i).is_some())
     }
 
-    /// `k` and `EI` of a stretch on which ground presses.
+    /// `k` and `EI` of a pressed stretch.
     fn stiffness(&self, i: usize) -> [Interval; 2] {
         let Stretch { from, to, .. } = self.stretches[i];
         let ends = [from, to];
@@ -211,7 +216,7 @@ impl OnSprings<'_> {
         (gap.divided(1).at(width) * width + (sunk[1] - sunk[0])) * Interval::exact(self.enclosed.tension)
     }
 
-    /// `v₁ − v₀ − θ₀ L` of what hangs between two places at which ground presses: from what the gap rises by.
+    /// `v₁ − v₀ − θ₀ L` of a part that hangs between two positions where the foundation is pressed, from the rise of the gap.
     fn rise(&self, i: usize) -> Option<Interval> {
         let is_free = |node: usize| self.enclosed.support(self.x(node)).is_none();
         let [left, right] = [self.sunk(i, false)?, self.sunk(i + 1, true)?];
@@ -226,7 +231,7 @@ impl OnSprings<'_> {
         Some(-(self.enclosed.stiffness_beside(self.x(node), left) * if left { span.end } else { span.start }[2]))
     }
 
-    /// `M` beside a node, on its left and on its right: as is said, but of an overhang by statics.
+    /// `M` on the left and on the right of a node: by statics for an overhang, otherwise the given value.
     fn moments(&self, spans: &[Option<Span>], node: usize) -> [Interval; 2] {
         let by_statics = |left: bool| self.overhanging(spans, node, left);
         let own = |left: bool| by_statics(left).or(self.said(node, left, 2)).unwrap_or(Interval::ZERO);
@@ -246,7 +251,8 @@ impl OnSprings<'_> {
         [left, left + couple]
     }
 
-    /// `V` in the same way: of what hangs by statics, else as was walked to.
+    /// `V` on the left and on the right of a node: reached along a short stretch; else by statics where a part hangs; else the given
+    /// value.
     fn shears(&self, spans: &[Option<Span>], moments: &[[Interval; 2]], node: usize) -> [Interval; 2] {
         if let Some(walked) = self.sheared[node] {
             return walked;
@@ -262,7 +268,7 @@ impl OnSprings<'_> {
         [left, if is_free { left - load } else { behind.unwrap_or(right) }]
     }
 
-    /// Adds a part that hangs, with the moments at its two ends: by how far it is off its moments, and below the ground.
+    /// Adds a part that hangs, with the moments at its two ends: its misfit to these moments, and its penetration into the foundation.
     fn hang(&self, i: usize, span: &Span, moments: [Interval; 2], sums: &mut Sums) {
         sums.square = sums.square + number(2) * span.work(self.enclosed, moments);
         let hinges = span.hinges(self.enclosed, moments);
@@ -278,11 +284,11 @@ impl OnSprings<'_> {
             for (side, v) in curves.iter().enumerate() {
                 let clearance = self.enclosed.gap.about(cell[side], cell).minus(v);
                 let clearance = if side == 1 { clearance.mirrored() } else { clearance };
-                // Beside a pressed part it is no difference of two depths.
+                // Next to a pressed part the clearance is known directly, not as a difference of two depths.
                 let beside = self.sunk(i + side, side == 1).filter(|_| (cell[side] - self.x(i + side)).abs() <= 0.0);
                 let mut known =
                     beside.map(|[w, w1]| [-w, if side == 1 { w1 } else { -w1 }]).unwrap_or([Interval::WHOLE; 2]);
-                // A joint at its right end turns between the two.
+                // A joint at the right end of the span changes the slope there.
                 if side == 1 && self.enclosed.joint(cell[1]).is_some() {
                     known[1] = Interval::WHOLE;
                 }
@@ -301,7 +307,7 @@ impl OnSprings<'_> {
         }
     }
 
-    /// Adds a stretch on which ground presses, with moment and shear at its two ends; [`None`] if it cannot.
+    /// Adds a pressed stretch, with moment and shear force at its two ends; [`None`] if its ends are not known.
     fn press(&self, i: usize, held: [[Interval; 2]; 2], walks: [Option<Walk>; 2], sums: &mut Sums) -> Option<()> {
         let [k, stiffness] = self.stiffness(i);
         let Stretch { from, to, .. } = self.stretches[i];
@@ -348,7 +354,7 @@ impl OnSprings<'_> {
     }
 }
 
-/// The pair of some stretches, if there is one.
+/// The pair of a list of stretches, if there is one.
 pub(crate) fn pair(enclosed: &EnclosedScene<'_>, stretches: &[Stretch]) -> Option<Pair> {
     let n = stretches.len();
     let mut on = OnSprings { enclosed, stretches, reached: Vec::new(), sheared: Vec::new() };

@@ -1,14 +1,15 @@
-//! How much a beam under compression bears more than it has to.
+//! The stability margin of a beam under compression.
 //!
-//! If a beam is stable under a compression `N' < N < 0`, then with `‖w‖² = ∫ EI w''²` and what springs and joints take up besides
+//! If a beam is stable under a compression `N' < N < 0`, then, where `‖w‖²` is `∫ EI w''²` plus the energy of springs and joints,
 //!
 //! ```text
 //! ‖w‖² + N ∫ w'² = (1 − N/N') ‖w‖² + (N/N') (‖w‖² + N' ∫ w'²) ≥ α ‖w‖²,      α = 1 − N/N'
 //! ```
 //!
-//! Whether it is stable says Sylvester's law of inertia: elimination of deflections `y` and moments `M` from left to right, as in
-//! `scene::axial`, has one negative pivot for each moment and none for a deflection, or two at one place and none at another. Each
-//! sign is proven. Where `y` or `M` vanishes its row is left out, which is the limit of an infinite `b` or `g`:
+//! Sylvester's law of inertia decides whether it is stable. Deflections `y` and moments `M` are eliminated from left to right, as in
+//! `scene::axial`. For a stable beam each moment has one negative pivot and each deflection has none; a position may have two if
+//! another one has none. The sign of each pivot is proven. Where `y` or `M` is zero its row is omitted, which is the limit of an
+//! infinite `b` or `g`:
 //!
 //! ```text
 //! a = b + n,  h = c + e,  d = a g + h²        b' = (b (c² + n g) + n e²)/d,   e' = (b c (g + ω) + e (c e + c² − n ω))/d
@@ -18,7 +19,7 @@
 //! both       b' = n,          e' = c,           g' = w
 //! ```
 //!
-//! A spring against turning is a moment more, with the pivot `−(g + 1/k)`; what holds the slope begins the beam anew.
+//! A rotational spring is an additional moment, with the pivot `−(g + 1/k)`. At a built-in support the elimination starts anew.
 
 use super::contact_node::EnclosedScene;
 use super::interval::Interval;
@@ -26,10 +27,10 @@ use super::load::cells;
 use super::polynomial::number;
 use crate::scene::Support;
 
-/// `|N'| ℓ²/EI` of a part at most, so that few terms are enough.
+/// Largest `|N'| ℓ²/EI` of a part, so that a few terms are enough.
 const MOST: f64 = 0.64;
 
-/// Terms of each series: what is left out is less than twice the next one, which is below `10⁻¹⁸`.
+/// Terms of each series: the remainder is less than twice the next term, which is below `10⁻¹⁸`.
 const TERMS: usize = 9;
 
 /// `n`, `c`, `w`, `ω` and `c² − n ω` of a part of the beam.
@@ -47,7 +48,7 @@ fn law(length: Interval, stiffness: Interval, force: Interval) -> [Interval; 5] 
     [force / length, c, flexibility * near / sine, flexibility * far / sine, c * c / sine]
 }
 
-/// The elimination up to a place, and by how many negative pivots there are more than moments.
+/// The state of the elimination up to a position, and the number of negative pivots minus the number of moments.
 #[derive(Default)]
 struct Elimination {
     b: Interval,
@@ -57,7 +58,7 @@ struct Elimination {
 }
 
 impl Elimination {
-    /// A pivot that counts as negative, or not; [`None`] if its sign is open.
+    /// Counts a pivot; [`None`] if its sign is not proven.
     fn sign(&mut self, pivot: Interval, of_moment: bool) -> Option<()> {
         let is_negative = pivot.hi() < 0.0;
         (is_negative || 0.0 < pivot.lo()).then_some(())?;
@@ -65,7 +66,7 @@ impl Elimination {
         Some(())
     }
 
-    /// A spring against turning.
+    /// Eliminates a rotational spring.
     fn turning(&mut self, k: f64) -> Option<()> {
         let share = number(1) + Interval::exact(k) * self.g;
         self.sign(-share, true)?;
@@ -74,7 +75,7 @@ impl Elimination {
         Some(())
     }
 
-    /// A place at which `y` or `M` may vanish, with the part to its right.
+    /// Eliminates a position at which `y` or `M` may be zero, and adds the part to its right.
     fn place(&mut self, [y, m]: [bool; 2], [n, c, w, off, left]: [Interval; 5]) -> Option<()> {
         let (b, e, g) = (self.b, self.e, self.g + w);
         let (a, h) = (b + n, c + e);
@@ -109,9 +110,9 @@ impl Elimination {
 }
 
 impl EnclosedScene<'_> {
-    /// At most `α`; not positive where that is not known.
+    /// A lower bound of `α`; not positive if none is proven.
     pub(crate) fn steadiness(&self) -> f64 {
-        /// By which shares less than it should buckle at.
+        /// Shares by which the tried compression is below the computed buckling load.
         const LESS: [f64; 6] = [1e-9, 1e-6, 1e-3, 0.02, 0.1, 0.3];
         if 0.0 <= self.tension {
             return 1.0;
@@ -132,7 +133,7 @@ impl EnclosedScene<'_> {
         })
     }
 
-    /// By how many pivots too many are negative between two places beyond which nothing is passed on.
+    /// The surplus of negative pivots between two positions, at each of which the elimination starts or ends.
     fn bears_between(&self, [from, to]: [f64; 2], force: f64) -> Option<i32> {
         let held = self.beam.holding().map(|support| support.at);
         let places = held.chain(self.changes.iter().copied()).chain(self.joints.iter().map(|joint| joint.0));
@@ -155,7 +156,7 @@ impl EnclosedScene<'_> {
         chain.place(vanishes, [Interval::ZERO; 5]).map(|()| chain.surplus)
     }
 
-    /// What turns the beam at a place, and whether `y` and `M` vanish there.
+    /// Adds the springs and joints at a position; returns whether `y` and `M` are zero there.
     fn pass(&self, x: f64, chain: &mut Elimination) -> Option<[bool; 2]> {
         let support = self.beam.holding().find(|support| support.at.total_cmp(&x).is_eq());
         let turning = support.and_then(|support| support.turning_stiffness);

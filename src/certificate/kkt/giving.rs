@@ -1,4 +1,4 @@
-//! What supports that give leave of their laws, and the slopes that supports hold: part of the residual of a discrete problem.
+//! The deviation of elastic supports from their laws, and the slopes that supports hold: part of the residual of a discrete problem.
 
 use std::collections::BTreeMap;
 
@@ -7,7 +7,7 @@ use crate::certificate::summed::Change;
 use crate::scene::{Grid, Scene, Spring};
 use crate::state::{Nodes, SupportForce};
 
-/// The slope that a support holds, stiffly or by a spring of a stiffness, with the couple that it exerts in the state.
+/// The slope that a support holds, rigidly or by a rotational spring, with the couple that it exerts in the state.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Slope {
     node: usize,
@@ -17,15 +17,15 @@ pub(super) struct Slope {
 }
 
 impl Slope {
-    /// The slope that the beam has there.
+    /// The slope of the beam there.
     pub(super) fn turned(&self) -> f64 {
         self.held - self.couple / self.stiffness
     }
 }
 
 impl Recorded<'_> {
-    /// What springs are off: how far one that only pushes lies above its foot, pulls, and presses where it is clear of that; and how far any
-    /// is off its law, by its force or by its deflection, whichever is less.
+    /// The largest deviations of springs. For compression-only springs: penetration below the foot, tension, and force across a
+    /// clearance from the foot. For all springs: the deviation from the law, as a force or as a deflection, whichever share is smaller.
     pub(super) fn of_springs(&self, [force, depth]: [f64; 2]) -> [f64; 4] {
         let of = |(node, spring, recorded): &(usize, Spring, SupportForce)| {
             let v =
@@ -44,7 +44,7 @@ impl Recorded<'_> {
         largest_each([0.0; 4], self.springs.iter().map(of))
     }
 
-    /// How far slopes that supports hold are off, by the slope or by the couple.
+    /// The deviation of the slopes that supports hold, as a slope or as a couple, whichever share is smaller.
     pub(super) fn turned(&self, tangents: &[f64], [force, depth]: [f64; 2], length: f64) -> f64 {
         let of = |(slope, tangent): (&Slope, &f64)| {
             let off = tangent - slope.turned();
@@ -68,7 +68,7 @@ pub(super) fn slopes(supports: &[RecordedSupport], springs: &[(usize, Spring, Su
     all
 }
 
-/// Where the beam changes or a support holds its slope, from left to right; [`None`] where that is between two nodes.
+/// The nodes where the beam changes or a support holds its slope, from left to right; [`None`] if such a position is between two nodes.
 pub(super) fn changes(scene: &Scene, grid: &Grid, slopes: &[Slope]) -> Option<Vec<Change>> {
     let beam = scene.beam();
     let mut all: BTreeMap<usize, Change> = BTreeMap::new();
@@ -84,7 +84,7 @@ pub(super) fn changes(scene: &Scene, grid: &Grid, slopes: &[Slope]) -> Option<Ve
     Some(all.into_iter().map(|(node, change)| Change { node, ..change }).collect())
 }
 
-/// The same misfit as two shares, of which the one in the better unit is less; not a number is kept.
+/// The smaller of two shares that express the same misfit in different units; NaN is kept.
 fn smaller_share(as_length: f64, as_force: f64) -> f64 {
     let [length, force] = [as_length, as_force].map(f64::abs);
     if length.is_nan() || length < force { length } else { force }

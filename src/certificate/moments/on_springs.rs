@@ -1,5 +1,5 @@
-//! What the greatest and the least moment of a beam on an elastic foundation lie between: those of the moment field `M` of the pair, with
-//! its pressure `p`, and an error.
+//! Brackets of the greatest and the least moment of a beam on an elastic foundation: the moments `M` of the pair, with its pressure `p`,
+//! and an error bound.
 //!
 //! `v̂`, `M` and `p` of the pair and `v*`, `M* = −EI v*''` and `p* = k w*₊` of the beam satisfy
 //!
@@ -7,28 +7,31 @@
 //! ½∫ (EI v̂'' + M)²/EI + ½∫ (k w₊ − p)²/k ≤ gap,    ½∫ (EI v̂'' − EI v*'')²/EI + ½∫ (k w₊ − p*)²/k ≤ gap
 //! ```
 //!
-//! with `p = 0` where the beam hangs. Where `p` pulls, `k w₊ − p` is no more than `k w − p` and what is cut off, whose root is in that of the
-//! gap as well. Hence `m = M − M*` and `f = p − p*` satisfy `∫ m²/EI + ∫ f²/k ≤ (2 √(2 gap))²`. Between supports `m'' = f`, without jumps of `m`
-//! and `m'`: both fields balance the same loads. For a function `φ` with `φ = 0` and `φ' = −1` at `x`, by parts on one side of `x`,
+//! with `p = 0` where the beam hangs. Where `p` is in tension, `k w₊ − p` is at most `k w − p` plus the tension that is cut off, and the
+//! root of the gap includes both. Hence `m = M − M*` and `f = p − p*` satisfy `∫ m²/EI + ∫ f²/k ≤ (2 √(2 gap))²`. Between supports
+//! `m'' = f`, without jumps of `m` and `m'`: both fields balance the same loads. For a function `φ` with `φ = 0` and `φ' = −1` at `x`,
+//! integration by parts on one side of `x` gives
 //!
 //! ```text
 //! m(x) = ∫ m φ'' dx − ∫ f φ dx:    |m(x)| ≤ 2 √( 2 gap S ),    S = ∫ (EI φ''² + k φ²) dx
 //! ```
 //!
-//! with the greatest `EI` and `k`, if `φ = φ' = 0` before the next support, or whatever it is at a free end, where neither field has a moment that the loads do not give.
+//! with the greatest `EI` and `k`. This requires `φ = φ' = 0` before the next support. At a free end `φ` may be arbitrary, because the
+//! moments of both fields there follow from the loads.
 //!
-//! - `φ'' = 3/2w` for `0 < s < w` and `−1/2w` for `w < s < 2w`: `S = 5 EI/2w + k w³/12`, least for `w⁴ = 10 EI/k`. Between two supports that are `b`
-//!   apart, `w ≤ b/4`. In an overhang any `w` will do: beyond the tip there is nothing.
-//! - `φ = −s` up to a free end at most `a` away: `S ≤ k a³/3`. By statics alone: the softer the foundation, the better.
-//! - The influence line of a beam on two simple supports `b` apart and no others, with overhangs `a` and `c`; `φ'` jumps by −1 at `x`, `φ` vanishes
-//!   at both supports: `S ≤ k (b³/48 + (a³ + c³)/3)`.
+//! - `φ'' = 3/2w` for `0 < s < w` and `−1/2w` for `w < s < 2w`: `S = 5 EI/2w + k w³/12`, least for `w⁴ = 10 EI/k`. Between two supports
+//!   at a distance `b`, `w ≤ b/4`. In an overhang `w` is not limited, because there is no beam beyond the tip.
+//! - `φ = −s` up to a free end at a distance of at most `a`: `S ≤ k a³/3`. This uses statics alone, so a softer foundation gives a
+//!   smaller bound.
+//! - The influence line of a beam on only two simple supports at a distance `b`, with overhangs `a` and `c`. `φ'` jumps by −1 at `x`,
+//!   and `φ` vanishes at both supports: `S ≤ k (b³/48 + (a³ + c³)/3)`.
 //!
-//! A support that gives is a support here: where one stands both fields may differ by another force and another couple.
+//! An elastic support counts as a support here: at its position both fields may differ by a force and a couple.
 //!
-//! On both sides of a couple `m` is the same.
+//! `m` is the same on both sides of a couple.
 //!
-//! Under an axial force `m'' = f − N w''` with `w = v̂ − v*`, and `∫ N w'' φ dx` is by parts no more than `3 |N| max |w|` where `φ = φ' = 0` before
-//! the next support and before the next end: there `w ≤ b/4` in every bay.
+//! Under an axial force `m'' = f − N w''` with `w = v̂ − v*`. By parts `∫ N w'' φ dx` is at most `3 |N| max |w|` if `φ = φ' = 0` before
+//! the next support and before the next end, so there `w ≤ b/4` in every bay.
 
 use crate::certificate::kernel::contact_node::EnclosedScene;
 use crate::certificate::kernel::distance;
@@ -37,7 +40,7 @@ use crate::certificate::kernel::polynomial::number;
 use crate::certificate::kernel::proof::{Pair, Sprung};
 use crate::certificate::largest::extremes;
 
-/// Bounds of the greatest and of the least moment; [`None`] where nothing could be shown.
+/// Brackets of the greatest and of the least moment; [`None`] if nothing could be proven.
 pub(super) fn moments(enclosed: &EnclosedScene<'_>, pair: &Pair, sprung: &Sprung) -> [Option<Interval>; 2] {
     let (gap, force) = (pair.gap, Interval::exact(3.0 * enclosed.tension.abs()));
     let pulled = match enclosed.tension == 0.0 {
@@ -62,7 +65,7 @@ pub(super) fn moments(enclosed: &EnclosedScene<'_>, pair: &Pair, sprung: &Sprung
     [greatest, -negated].map(|bracket| Some(bracket).filter(|bracket| bracket.is_finite()))
 }
 
-/// `S` of the best `φ` for all places between two neighbouring supports, or between a support and an end of the beam.
+/// `S` of the best `φ` for all positions between two neighbouring supports, or between a support and an end of the beam.
 fn size(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2]) -> Interval {
     let [k, stiffness] = [enclosed.stiffest_ground(), enclosed.stiffest].map(Interval::exact);
     let (length, supports) = (enclosed.length, enclosed.supports);

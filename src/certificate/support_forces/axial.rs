@@ -1,4 +1,4 @@
-//! What an axial force adds to the uncertainty of vertical forces.
+//! The effect of an axial force on the uncertainty of vertical forces.
 
 use crate::certificate::kernel::contact_node::EnclosedScene;
 use crate::certificate::kernel::distance;
@@ -6,8 +6,8 @@ use crate::certificate::kernel::interval::Interval;
 use crate::certificate::kernel::polynomial::number;
 use crate::certificate::kernel::proof::Pair;
 
-/// By how much `∫ N w' φ' dx` is off, `w = v̂ − v*`: with `N ∫ w'² ≤ 2 gap` and `∫ φ'² = 6/5w` on each side under tension, with `∫ |φ''| = 3/w` under
-/// compression.
+/// A bound of the error of `∫ N w' φ' dx`, with `w = v̂ − v*`. Under tension `N ∫ w'² ≤ 2 gap` and `∫ φ'² = 6/5w` on each side; under
+/// compression `∫ |φ''| = 3/w`.
 pub(super) fn pulled(enclosed: &EnclosedScene<'_>, pair: &Pair, widths: impl Iterator<Item = Interval>) -> Interval {
     let sides = widths.fold(Interval::ZERO, |sum, width| sum + number(1) / width);
     let force = Interval::exact(enclosed.tension.abs());
@@ -17,8 +17,9 @@ pub(super) fn pulled(enclosed: &EnclosedScene<'_>, pair: &Pair, widths: impl Ite
     number(3) * force * sides * Interval::exact(distance::anywhere(pair, enclosed.stiffness, enclosed.length))
 }
 
-/// At least `κ²` of a beam under an axial force, whose vertical forces differ by `κ = m' + N w'`, `w = v̂ − v*`, up to the distance `c`. The
-/// moments of the pair are in balance with the loads and `N v̂''`, so that they are `ρ` off `−EI v̂''`, and with `φ = 6 s (c − s)/c³`
+/// An upper bound of `κ²` for a beam under an axial force. The vertical forces differ by `κ = m' + N w'`, `w = v̂ − v*`, up to the
+/// distance `c`. The moments of the pair are in equilibrium with the loads and `N v̂''`, so they differ by `ρ` from `−EI v̂''`. With
+/// `φ = 6 s (c − s)/c³`
 ///
 /// ```text
 /// κ = ∫ κ φ dx = −∫ m φ' dx + ∫ N w' φ dx,    ‖m‖ ≤ ρ + ‖w‖ ≤ 2 √(2 gap)

@@ -1,12 +1,12 @@
-//! Groups of pressed parts: what holds a beam on an elastic foundation near each of its places, as zones do on a rigid one.
+//! Groups of pressed parts: they hold a beam on an elastic foundation locally, like zones on a rigid foundation.
 //!
-//! Two carriers far apart prove a bound that grows with `l^1.5 √gap`. The parts of a group lie within `(4 EI/k)^¼`, and a line through two
-//! neighbouring groups, or through a group and a support, bounds the error over the distance between these two only.
+//! Two carriers far apart prove a bound that grows with `l^1.5 √gap`. The parts of a group are within a distance of `(4 EI/k)^¼`. A line
+//! through two neighbouring groups, or through a group and a support, bounds the error over the distance between these two only.
 //!
-//! *Proof.* Let `I` be one part or several that are apart, and `w > e = √(2 gap/∫k)` on all of `I`, with the integral over `I`. If
-//! `|w₊ − w*₊| > e` on all of `I`, then `½ ∫ k (w₊ − w*₊)² > ½ e² ∫k = gap`, which the theorem at the head of [`springs`](super) excludes.
-//! So some place of `I` has `|w₊ − w*₊| ≤ e < w`; there `w*₊ > 0`, hence `w* = w*₊` and `|v̂ − v*| = |w − w*| ≤ e`. Of a group the deepest
-//! parts are taken, as many as satisfy this. They carry nothing of the pulls that are cut off: any two carriers do that.
+//! *Proof.* Let `I` be one part or several separate parts, and `w > e = √(2 gap/∫k)` on all of `I`, with the integral over `I`. If
+//! `|w₊ − w*₊| > e` on all of `I`, then `½ ∫ k (w₊ − w*₊)² > ½ e² ∫k = gap`, which the theorem at the head of [`springs`](super)
+//! excludes. So `|w₊ − w*₊| ≤ e < w` at some position of `I`. There `w*₊ > 0`, hence `w* = w*₊` and `|v̂ − v*| = |w − w*| ≤ e`. Of each
+//! group the deepest parts are used, as many as satisfy this. Groups do not carry the tension that is cut off: any two carriers do.
 
 use super::{Carrier, OnSprings, Sums};
 use crate::certificate::kernel::interval::Interval;
@@ -31,8 +31,8 @@ impl OnSprings<'_> {
         groups
     }
 
-    /// Lines through the strongest parts of neighbouring groups, of those parts that are pressed whatever a pair with this gap leaves open;
-    /// [`None`] where supports hold the beam, or hinges part it.
+    /// Lines through the parts with the largest contact forces of neighbouring groups. Only parts that are pressed for every pair with
+    /// this gap are used. [`None`] if the beam has supports or hinges.
     pub(super) fn neighbours(&self, sums: &Sums, gap: f64) -> Option<Vec<Line>> {
         let is_whole = self.enclosed.supports.is_empty() && self.is_one([0.0, self.enclosed.length]);
         let strongest = |group: Vec<&Carrier>| {
@@ -45,9 +45,9 @@ impl OnSprings<'_> {
         Some(lines.collect())
     }
 
-    /// Lines through groups of pressed parts and supports: each with the next one and with the one behind it.
+    /// Lines through groups of pressed parts and supports: each with the next one and with the one after it.
     pub(super) fn held_by_groups(&self, sums: &Sums, gap: f64) -> Vec<Line> {
-        // Beyond a hinge a line says nothing.
+        // A line is not valid beyond a hinge.
         let within = |place: Datum| {
             let reach = self.reach([place.from, place.to])?;
             Some(Datum { reach, ..place })
@@ -62,12 +62,12 @@ impl OnSprings<'_> {
         pairs.filter_map(line).filter(is_line).collect()
     }
 
-    /// Whether no hinge is strictly between two places.
+    /// Whether no hinge is strictly between two positions.
     fn is_one(&self, [from, to]: [f64; 2]) -> bool {
         !self.enclosed.joints.iter().any(|(x, k)| *k <= 0.0 && from < *x && *x < to)
     }
 
-    /// Between which hinges a part without a hinge in it is; [`None`] just at one.
+    /// The hinges that bound a part without a hinge inside; [`None`] if the part is a single position at a hinge.
     fn reach(&self, [from, to]: [f64; 2]) -> Option<[f64; 2]> {
         let hinges = || self.enclosed.joints.iter().filter(|joint| joint.1 <= 0.0).map(|joint| joint.0);
         let before = hinges().filter(|x| *x <= from).fold(f64::NEG_INFINITY, f64::max);
@@ -76,7 +76,7 @@ impl OnSprings<'_> {
     }
 }
 
-/// What is known of the deflection somewhere in a group.
+/// A bound of the deflection error somewhere in a group; [`None`] if no number of its deepest parts gives one.
 fn known_in(mut group: Vec<&Carrier>, gap: f64) -> Option<Datum> {
     group.sort_by(|a, b| b.sunk.total_cmp(&a.sunk));
     let (mut together, mut known) = (Interval::ZERO, None);
@@ -92,7 +92,7 @@ fn known_in(mut group: Vec<&Carrier>, gap: f64) -> Option<Datum> {
     known
 }
 
-/// `e = √(2 gap/∫k)`, at least.
+/// An upper bound of `e = √(2 gap/∫k)`.
 pub(super) fn uncertainty(gap: f64, stiffness: Interval) -> f64 {
     (number(2) * Interval::exact(gap) / stiffness).sqrt().hi()
 }

@@ -1,4 +1,4 @@
-//! What joints and supports that give add to the gap, and what holds a beam on an elastic foundation.
+//! The contributions of joints and elastic supports to the gap, and what holds a beam on an elastic foundation.
 
 use super::groups::uncertainty;
 use super::{Carrier, OnSprings, Sums};
@@ -10,7 +10,7 @@ use crate::certificate::kernel::polynomial::number;
 use crate::certificate::kernel::reference::{Datum, Line};
 
 impl OnSprings<'_> {
-    /// Adds the joints at the right ends of stretches on which ground presses; those of what hangs are parts of it.
+    /// Adds the joints at the right ends of pressed stretches. The joints of parts that hang are included in their spans.
     pub(super) fn turn(&self, moments: &[[Interval; 2]], sums: &mut Sums) {
         for (node, moment) in moments.iter().enumerate().filter(|(node, _)| self.is_pressed(*node, true)) {
             let Some(k) = self.enclosed.joint(self.x(node)).filter(|k| 0.0 < *k).map(Interval::exact) else { continue };
@@ -23,7 +23,8 @@ impl OnSprings<'_> {
         }
     }
 
-    /// Adds supports that give, by the forces and the jumps of the moment that the pair has there, and those that are loads.
+    /// Adds elastic supports, by the forces and the moment jumps of the pair at each of them, and elastic supports that are treated as
+    /// loads.
     pub(super) fn give(&self, moments: &[[Interval; 2]], shears: &[[Interval; 2]], sums: &mut Sums) -> Option<()> {
         let [gap, energy] = giving::of_loads(self.enclosed, &sums.pieces);
         (sums.square, sums.turned) = (sums.square + number(2) * gap, sums.turned + number(2) * energy);
@@ -53,18 +54,19 @@ impl OnSprings<'_> {
         self.enclosed.supports.iter().map(of).filter(|datum| 0.0 < datum.presses).collect()
     }
 
-    /// The gap, at least the share of what is cut off that one place takes, and what holds the beam: its supports, or pressed parts.
+    /// The gap; an upper bound of the force that one position carries of what is cut off; and what holds the beam, supports or pressed
+    /// parts.
     pub(super) fn held(&self, sums: &Sums) -> Option<(f64, Interval, Vec<Line>)> {
         let far = self.held_by(sums, self.far_apart(sums))?;
         if sums.cut_off.pulls.is_empty() {
             return Some(far);
         }
-        // Parts beside what pulls carry it with less bending.
+        // Pressed parts next to the tension carry it with less bending.
         let near = self.neighbours(sums, far.0).and_then(|lines| self.held_by(sums, lines));
         Some(near.filter(|near| near.0 < far.0).unwrap_or(far))
     }
 
-    /// Lines through supports, or through the two pressed parts that are worth most.
+    /// Lines through supports, or through the two pressed parts that hold the beam best.
     fn far_apart(&self, sums: &Sums) -> Vec<Line> {
         let pressing = sums.carriers.iter().map(|c| c.place).filter(|place| 0.0 < place.presses);
         let mut places: Vec<Datum> = pressing.chain(self.supports(sums)).collect();
@@ -72,10 +74,10 @@ impl OnSprings<'_> {
         lines(self.enclosed, fixed, &mut places)
     }
 
-    /// The same as [`OnSprings::held`], with the lines that carry what is cut off.
+    /// The same as [`OnSprings::held`], for given lines that carry what is cut off.
     ///
-    /// A pull of the share `s` takes `s c` of `√∫(Δp)²/k` at a part that costs `c`; all pulls together, each on one line, take no more than
-    /// the sum of their shares on the line that costs most.
+    /// A tension of the share `s` changes `√∫(Δp)²/k` by `s c` at a part with the cost `c`. All of them together, each on one line,
+    /// change it by at most the sum of their shares on the line with the largest cost.
     fn held_by(&self, sums: &Sums, lines: Vec<Line>) -> Option<(f64, Interval, Vec<Line>)> {
         let enclosed = self.enclosed;
         let [moment, share] = sums.cut_off.carried(&lines, enclosed.stiffness, enclosed.soft());
@@ -93,12 +95,12 @@ impl OnSprings<'_> {
         (0.0 < steady.lo()).then_some(())?;
         let gap = if steady == number(1) { gap.hi() } else { (gap / steady.square()).hi() };
         if lines.is_empty() && 0.0 < enclosed.tension {
-            // A string is held by one place.
+            // A beam in tension is held by one position, like a string.
             return Some((gap, share, lines));
         }
         let known = |place: &Datum| {
             let Some(Carrier { sunk, stiffness, .. }) = carrier(place) else {
-                // One that only pushes is pressed, and so a spring.
+                // A compression-only support that is pressed acts as a spring.
                 let is_pressed = gap < place.energy && share.hi() < place.presses;
                 return (place.presses.is_infinite() || is_pressed).then_some(*place);
             };

@@ -1,7 +1,8 @@
-//! Short pressed stretches of a beam on an elastic foundation. Only one of their ends is given, and the pair is continued to the other one.
+//! Short pressed stretches of a beam on an elastic foundation. Only one of their ends is given, and the pair is continued to the other
+//! end.
 //!
 //! A cubic through given values at both ends divides the rounding of these values by the square of the width `w`. Over a stretch far
-//! shorter than `(4 EI/k)^¼` this would be the largest part of the gap. With `t`, the given polynomial, and `c = ∬(k t − q)` take instead
+//! shorter than `(4 EI/k)^¼` this would be the largest part of the gap. With the given polynomial `t` and `c = ∬(k t − q)`, use instead
 //!
 //! ```text
 //! δ(s) = δ(0) + a s,    a = w'(0) − t'(0),       hence    w(w) = w(0) + (t(w) − t(0)) + a w,      w'(w) = t'(w) + a
@@ -9,16 +10,17 @@
 //! ```
 //!
 //! from the left end to the right one, or the mirror image. The numbers at the far end are enclosed, and the next stretch starts with
-//! them. Where the shear force at one of both ends follows from a part that hangs beside it, or from a support, `r` is the cubic with the
-//! shear forces of both ends and the mean slope `b`: the same `M(w)`, and a second derivative that is a difference of shear forces over
-//! `w`, not of moments over `w²`.
+//! them. The shear force at an end may instead follow from a part that hangs next to it, or from a support. Then `r` is the cubic with
+//! the shear forces of both ends and the mean slope `b`. It has the same `M(w)`, and its second derivative is a difference of shear
+//! forces over `w`, not of moments over `w²`.
 //!
-//! *Proof that a pair remains one.* A pair needs that `v̂` and `v̂'` are continuous and satisfy the supports, and that `M` is in balance.
-//! At a node both sides must therefore use the same numbers; what these numbers are does not matter, whatever the witness says. Each
-//! enclosure stands for one number, the one that the exact continuation has there, and all stretches beside the node read the same entry.
-//! A node is walked to at most once, and never if its number is prescribed: by a support for `v̂`; for `M` by a hinged or free end of the
-//! beam and by statics at the inner end of an overhang; for `V` by a support, by statics where a part hangs, and at the ends of the beam.
-//! A cubic has the value `M(w)` at its far end for any `b`, since the mean slope is what it rises by over its width.
+//! *Proof that the result is still a pair.* A pair needs that `v̂` and `v̂'` are continuous and satisfy the supports, and that `M` is in
+//! equilibrium. So both sides of a node must use the same numbers. Which numbers these are does not matter, whatever the candidate
+//! contact list contains. Each enclosure represents one number, the one that the exact continuation has there, and all stretches next to
+//! the node read the same entry. A node is reached at most once, and never if its number is prescribed: by a support for `v̂`; for `M`
+//! by a hinged or free end of the beam and by statics at the inner end of an overhang; for `V` by a support, by statics where a part
+//! hangs, and at the ends of the beam. A cubic has the value `M(w)` at its far end for any `b`, since its mean slope is its rise over
+//! its width.
 
 use super::OnSprings;
 use crate::certificate::kernel::contact_node::EnclosedSupport;
@@ -26,30 +28,30 @@ use crate::certificate::kernel::interval::Interval;
 use crate::certificate::kernel::polynomial::Polynomial;
 use crate::certificate::kernel::span::Span;
 
-/// A pressed stretch is walked along if it is shorter than this share of `(4 EI/k)^¼`. *Tuned* on things that all but meet; the bounds are
-/// true for any value.
+/// A pressed stretch is continued from one end if it is shorter than this share of `(4 EI/k)^¼`. *Tuned* on nearly coincident features;
+/// the bounds are true for any value.
 const SHORT: f64 = 1.0 / 1024.0;
 
-/// To which end a stretch is walked along.
+/// The end towards which a stretch is continued.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Towards {
     Left,
     Right,
 }
 
-/// How a short stretch is walked along, by a polynomial and a line.
+/// The continuation along a short stretch, by a polynomial and a line.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Walk {
     /// The slope of the line.
     pub(super) slope: Interval,
-    /// What both together rise by from the left end to the right one.
+    /// The rise of both together from the left end to the right one.
     rise: Interval,
-    /// Whether the line is all: the slope at the far end is not given either.
+    /// Whether only the line is used: the slope at the far end is not given either.
     pub(super) is_all: bool,
 }
 
 impl Walk {
-    /// With the slope of polynomial and line together at the end from which it starts.
+    /// The continuation for a given slope of polynomial and line together at the start.
     fn along(polynomial: &Polynomial, slope: Interval, towards: Towards, width: Interval) -> Self {
         let start = if towards == Towards::Right { Interval::ZERO } else { width };
         let slope = slope - polynomial.derivative().at(start);
@@ -58,14 +60,14 @@ impl Walk {
     }
 }
 
-/// What `w` and `w'` are at a node that was walked to, and on which side of it the short stretch is: on the left one if true.
+/// `w` and `w'` at a node that was reached along a short stretch; the flag is true if the stretch is on the left side of the node.
 pub(super) type Reached = (bool, [Interval; 2]);
 
 impl OnSprings<'_> {
-    /// Which stretches are walked along, in the order in which this is done. In each run of short stretches the first node at which the
-    /// number is known is the start for all of them, or else the left end.
+    /// The stretches that are continued, in order. In each run of short stretches the first node at which the number is known is the
+    /// start for all of them; if there is none, the left end of the run.
     fn walks(&self, is_known: impl Fn(usize) -> bool) -> Vec<(usize, Towards)> {
-        // Under an axial force what is off grows over `√(EI/N)`.
+        // Under an axial force errors grow over the length `√(EI/N)`.
         let pulled = (self.enclosed.stiffness / self.enclosed.tension.abs()).sqrt();
         let is_short = |i: &usize| {
             let width = self.stretches[*i].to - self.stretches[*i].from;
@@ -87,7 +89,7 @@ impl OnSprings<'_> {
         self.enclosed.support(self.x(node)).is_some() || self.enclosed.joint(self.x(node)).is_some()
     }
 
-    /// Walks along short stretches for `v̂`.
+    /// Continues `v̂` along short stretches.
     pub(super) fn walk(&mut self) -> Vec<Option<Walk>> {
         self.reached = vec![None; self.stretches.len() + 1];
         let mut walked = vec![None; self.stretches.len()];
@@ -104,7 +106,7 @@ impl OnSprings<'_> {
         walked
     }
 
-    /// The same for `M` and `V`, and the moments on both sides of the nodes that are walked to.
+    /// The same for `M` and `V`, including the moments on both sides of the nodes reached.
     pub(super) fn walk_moments(&mut self, spans: &[Option<Span>], moments: &mut [[Interval; 2]]) -> Vec<Option<Walk>> {
         let is_built_in =
             |on: &Self, node: usize| on.enclosed.support(on.x(node)).is_some_and(EnclosedSupport::holds_slope);
@@ -124,7 +126,7 @@ impl OnSprings<'_> {
             let is_free = |node: usize| self.enclosed.support(self.x(node)).is_none();
             let own = match self.sheared[start] {
                 Some([left, right]) => Some(if to_the_right { right } else { left }),
-                // As `shears` has it there.
+                // The same rule as in `shears`.
                 None if is_free(start) && start == i + 1 && start < spans.len() => {
                     self.said(start, false, 3).map(|v| v + load(start))
                 }
@@ -144,7 +146,7 @@ impl OnSprings<'_> {
             let side = usize::from(!to_the_right);
             let rise = walk.rise - self.pulled(i);
             let moment = if to_the_right { moments[i][1] + rise } else { moments[i + 1][0] - rise };
-            // A beam that is built in there may have another moment on the other side.
+            // At a built-in support the moment on the other side may be different.
             if is_built_in(self, node) {
                 moments[node][side] = moment;
             } else {
