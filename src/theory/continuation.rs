@@ -1,5 +1,5 @@
-//! From one scene to a neighbouring scene: the contact list is carried over. There it is right, or it violates a condition that can be
-//! named.
+//! The contacts of an answer in a neighbouring scene: its contact list is carried over and is right there, or it violates a condition
+//! that can be named.
 
 use super::check::check;
 use super::exact::Exact;
