@@ -8,7 +8,7 @@
 //! state      v, v', e v'', e v'''          minus the latter two are moment and shear force: continuous wherever nothing acts
 //! beam       e v'''' = q − p
 //! joint      [v'] = w e v''                with its flexibility w = EI₀/k_j; infinite for a hinge
-//! clearance  h = g − v with h, h', e h'', e h''': where e changes below a curved foundation a couple [e] g'' and a load −[e] g''' act on it
+//! clearance  h = g − v with h, h', e h'', e h''': if e changes over a curved foundation a couple [e] g'' and a load −[e] g''' act on it
 //! ```
 
 mod along;
