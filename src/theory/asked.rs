@@ -1,4 +1,4 @@
-//! By what an answer is differentiated.
+//! The numbers of the scene by which an answer is differentiated.
 
 use super::derivatives::By;
 use super::exact::Exact;
@@ -6,27 +6,28 @@ use super::leeway::Leeway;
 use super::sensitivity::{Change, NodeChange};
 use crate::scene::{Beam, Foundation, Quantity, Scene, Support};
 
-/// A share of the size of a number of the scene that means nothing: none is known to seven digits, and conditions are met to twelve.
+/// A share of a number of the scene that has no practical meaning: no such number is known to seven digits, and conditions are
+/// satisfied to twelve.
 pub(super) const NOTHING: f64 = 1e-7;
 
-/// Forces and places of answers that are next to each other differ by no more than this share of the largest, or of the length: after a
-/// change by [`NOTHING`] what jumps changes by more, and so does what grows like the root of the change.
+/// Two neighbouring answers differ by at most this share of the largest force, or of the length. After a change by [`NOTHING`], a
+/// quantity that jumps changes by more, and so does one that grows like the root of the change.
 const NEAR: f64 = 1e-4;
 
 /// A derivative to be computed.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Asked {
     pub(super) by: By,
-    /// As the number falls, and as it grows: two where a support moves over a corner of the own shape.
+    /// The change as the number falls, and as it grows. They differ where a support moves across a corner of the initial shape.
     pub(super) change: [Change; 2],
     pub(super) unit: f64,
-    /// A change of the number that means nothing, in the units of the scene.
+    /// A change of the number that has no practical meaning, in the units of the scene.
     pub(super) least: f64,
 }
 
 impl Asked {
-    /// On which sides of a scene, as the number falls and as it grows, its answer goes on: there is one with the same contacts, and it is
-    /// next to this one. Asked of second answers.
+    /// For each side, as the number falls and as it grows: whether an answer with the same contacts exists there, close to this one.
+    /// Computed from the answers of both neighbouring scenes.
     pub(super) fn sides(&self, scene: &Scene, exact: &Exact) -> [bool; 2] {
         self.beside(scene).map(|beside| {
             let there = beside.and_then(|beside| exact.goes_on_in(&beside));
@@ -34,20 +35,20 @@ impl Asked {
         })
     }
 
-    /// True if a load stands where a zone ends: it comes into the zone or leaves it.
+    /// Whether the number is the position of a load that is at the end of a zone: the load moves into the zone or out of it.
     #[expect(clippy::float_cmp, reason = "a node at a load is exactly there")]
     pub(super) fn moves_at_zone(&self, exact: &Exact) -> bool {
         let moves = |x: f64| matches!(self.change[0], Change::Move(at, _) if at == x);
         exact.list.zones().any(|zone| moves(zone.from) || moves(zone.to))
     }
 
-    /// True if its answer is sure to go on on both sides, whose changes of the nodes these are.
+    /// Whether the answer is certain to continue on both sides; `changes` are the changes of the nodes on each side.
     pub(super) fn goes_on(&self, leeway: &Leeway<'_>, changes: &[Vec<NodeChange>; 2]) -> bool {
         let step = self.least / self.unit;
         self.change.iter().zip(changes).all(|(of, changes)| leeway.holds(*of, changes, step, NEAR))
     }
 
-    /// The scene beside this one, on either side, if there is one.
+    /// The neighbouring scene on each side, if there is one.
     pub(super) fn beside(&self, scene: &Scene) -> [Option<Scene>; 2] {
         [-self.least, self.least].map(|step| self.moved(scene, step))
     }
@@ -61,7 +62,7 @@ impl Asked {
     }
 }
 
-/// Whether two answers have contacts and supports of the same kinds, with nearly the same forces at nearly the same places.
+/// Whether two answers have contacts and supports of the same kinds, with nearly the same forces at nearly the same positions.
 pub(super) fn is_next_to(exact: &Exact, other: &Exact, length: f64) -> bool {
     let kinds = |exact: &Exact| -> Vec<bool> {
         let supports = exact.state.supports.iter().map(|support| support.pushes_only && support.force <= 0.0);
@@ -79,7 +80,7 @@ pub(super) fn is_next_to(exact: &Exact, other: &Exact, length: f64) -> bool {
         && near(places(exact), places(other), length)
 }
 
-/// The longest stretch of a beam between two places where a support or an end of it is \[length\].
+/// The largest distance between two neighbouring positions among supports and ends of a beam \[length\].
 fn longest_stretch(beam: &Beam) -> f64 {
     let mut places: Vec<f64> = beam.all_supports().iter().map(|support| support.at).collect();
     places.extend([0.0, beam.length()]);
@@ -88,14 +89,14 @@ fn longest_stretch(beam: &Beam) -> f64 {
 }
 
 impl Exact {
-    /// All derivatives that are asked for, in their order.
+    /// All derivatives to be computed, in their order.
     pub(super) fn asked(&self, scene: &Scene) -> Vec<Asked> {
-        // Beyond a few supports a beam is not felt: what means something is what does so between two of them.
+        // The influence of a change fades over a few supports, so the longest stretch between supports sets the size.
         let (scale, length) = (&self.scale, longest_stretch(scene.beam()));
         let forces = self.state.supports.iter().map(|support| support.force.abs());
         let load = self.given.total_load * self.stiffness * scale.force * (length / scene.beam().length());
         let force = forces.chain([self.state.contact_force()]).fold(load, f64::max);
-        // At least what the loads do to a beam at rest.
+        // At least the deflection that the loads alone would cause in a beam at rest.
         let part = length / scale.length;
         let at_rest = force / scale.force * scale.depth / 384.0 * (part * part * part);
         let depth = self.state.deflection.magnitude().max(at_rest);
@@ -104,7 +105,7 @@ impl Exact {
         let mut all = Vec::new();
         all.extend(scene.foundation().map(|_| asked(By::Depth, Change::Ground, scale.depth, depth)));
         let stiffness = scene.beam().bending_stiffness();
-        // Of steps each is a number of its own.
+        // If the stiffness changes in steps, each step is a number of its own.
         let is_uniform = scene.beam().changes().next().is_none();
         all.extend(is_uniform.then(|| number(Quantity::BendingStiffness, Change::Unload, stiffness, stiffness)));
         let ground = scene.ground_stiffness().filter(|_| scene.ground_changes().next().is_none());
@@ -126,7 +127,8 @@ impl Exact {
         all
     }
 
-    /// The number by which the answer has a support: those that only push come after the others. On ground that gives, its breakpoint.
+    /// The index of a support in the answer: compression-only supports come after the others. On an elastic foundation it is the
+    /// breakpoint.
     fn index_of(&self, scene: &Scene, support: &Support) -> Option<usize> {
         if self.springs.is_some() {
             return self.given.breakpoint_at(support.at / self.scale.length);
@@ -136,7 +138,7 @@ impl Exact {
         Some(if support.pushes_only { held.len() + before(bearings) } else { before(held) })
     }
 
-    /// Slope and curvature of the own shape to the left and to the right of a place, dimensionless.
+    /// Slope and curvature of the initial shape to the left and to the right of a position, dimensionless.
     fn axis_beside(&self, scene: &Scene, x: f64) -> [[f64; 2]; 2] {
         let unit = self.scale.length / self.scale.depth;
         let Some(shape) = scene.beam().shape() else { return [[0.0; 2]; 2] };
@@ -144,7 +146,7 @@ impl Exact {
     }
 }
 
-/// The second derivative of a profile, which is smooth there.
+/// The second derivative of a profile where it is smooth.
 fn curvature(profile: &Foundation, x: f64) -> f64 {
     match profile {
         Foundation::Flat { .. } | Foundation::Polyline { .. } => 0.0,

@@ -1,20 +1,20 @@
-//! Signs, least values and roots of a polynomial on an interval, guaranteed by its Bernstein form.
+//! Guaranteed signs, minima and roots of a polynomial on an interval, from its Bernstein form.
 //!
-//! On `[0, w]` write `Σ a_j t^j = Σ b_k B_k(t)` with the Bernstein polynomials `B_k ≥ 0`, `Σ B_k = 1`. The polynomial lies
-//! between the least and the greatest `b_k`, equals `b_0` and `b_n` at the ends, and has at most as many roots inside as
-//! the `b_k` have changes of sign. Halving the interval (de Casteljau) makes all three statements sharp.
+//! On `[0, w]` write `Σ a_j t^j = Σ b_k B_k(t)` with the Bernstein polynomials `B_k ≥ 0`, `Σ B_k = 1`. The polynomial lies between the
+//! least and the greatest `b_k` and equals `b_0` and `b_n` at the ends. It has at most as many roots inside as the `b_k` have changes
+//! of sign. Halving the interval (de Casteljau) makes all three statements sharp.
 
-/// Coefficients of a polynomial that needs no memory of its own: a beam of degree 5 over a straight profile.
+/// Number of coefficients up to which a polynomial is kept on the stack: enough for a beam of degree 5 over a straight profile.
 const SMALL: usize = 8;
-/// Intervals are halved at most this often: 2⁻⁴⁸ of the interval is its last digits.
+/// Maximum number of halvings: 2⁻⁴⁸ of the interval is close to its last digit.
 const DEPTH: usize = 48;
-/// Fewer halvings than this are enough for most intervals: room for their halves is set aside at once.
+/// Number of halvings that is enough for most intervals; memory for their halves is reserved at once.
 const USUAL_DEPTH: usize = 16;
-/// Parts of an interval that are looked at, at most; a few dozen are the rule. It guards against a polynomial that runs
-/// along the floor within its rounding.
+/// Maximum number of parts of an interval that are examined. A few dozen are usual. The limit guards against a polynomial that follows
+/// the floor within its rounding.
 const PARTS: usize = 4000;
 
-/// Turns the coefficients of `Σ a_j t^j` into those of its Bernstein form on `[0, w]`.
+/// Converts the coefficients of `Σ a_j t^j` into the coefficients of its Bernstein form on `[0, w]`.
 ///
 /// ```text
 /// b_k = Σ_{j ≤ k} C(k, j) / C(n, j) a_j w^j
@@ -35,8 +35,8 @@ fn to_bernstein(a: &mut [f64], width: f64) {
     }
 }
 
-/// The least and the greatest Bernstein coefficient of a polynomial with up to `SMALL` coefficients: bounds of its values,
-/// NaN if it has one.
+/// The least and the greatest Bernstein coefficient of a polynomial with up to `SMALL` coefficients. They bound its values; both are
+/// NaN if any coefficient is.
 pub(super) fn range(monomial: &[f64], width: f64) -> Option<[f64; 2]> {
     let mut b = [0.0; SMALL];
     let b = b.get_mut(..monomial.len())?;
@@ -68,13 +68,14 @@ fn halves(b: Vec<f64>) -> (Vec<f64>, Vec<f64>) {
     (left, right)
 }
 
-/// The least value of `Σ a_j t^j` on `[0, w]` with its place, if it lies below `floor` anywhere; [`None`] is a proof that
-/// it does not.
+/// The least value of `Σ a_j t^j` on `[0, w]` and its position, if the polynomial is below `floor` anywhere; [`None`] proves that it is
+/// not.
 ///
-/// The value found is the least up to a thousandth of how far it lies below zero. Where no proof is found within a bounded
-/// number of parts, the bound that remains is returned as if it were a value.
+/// The value is the minimum to within a thousandth of its size. If no proof is found within a bounded number of parts, the remaining
+/// bound is returned as if it were a value.
 pub(super) fn lowest_below(monomial: &[f64], width: f64, floor: f64) -> Option<(f64, f64)> {
-    /// How much of a violation is not worth another halving: it is reported and repaired, not used as a number.
+    /// Relative accuracy of a violation: it is reported and repaired, not used as a number, so a better value is not worth another
+    /// halving.
     const CLOSE: f64 = 1e-3;
     if range(monomial, width).is_some_and(|[least, _]| floor <= least) {
         return None;
@@ -96,7 +97,7 @@ pub(super) fn lowest_below(monomial: &[f64], width: f64, floor: f64) -> Option<(
         }
         for (at, value) in [(lo, b.first()), (hi, b.last())] {
             let bar = best.map_or(floor, |(_, value)| value);
-            // A NaN is below every floor.
+            // A NaN counts as below every floor.
             if let Some(&value) = value
                 && (value < bar || value.is_nan())
             {
@@ -117,7 +118,7 @@ pub(super) fn lowest_below(monomial: &[f64], width: f64, floor: f64) -> Option<(
     best
 }
 
-/// The places inside `[0, w]` at which `Σ a_j t^j` changes its sign (or happens to be exactly zero), from left to right.
+/// The positions inside `[0, w]` at which `Σ a_j t^j` changes its sign (or happens to be exactly zero), from left to right.
 pub(super) fn sign_changes(monomial: &[f64], width: f64) -> Vec<f64> {
     let mut found = Vec::new();
     if range(monomial, width).is_some_and(|[least, most]| 0.0 < least || most < 0.0) {
@@ -130,7 +131,7 @@ pub(super) fn sign_changes(monomial: &[f64], width: f64) -> Vec<f64> {
         match variations(&b) {
             0 => {}
             1 => found.push(bracketed(monomial, [lo, hi], starts_positive(&b))),
-            // Rounding decides below this width: an odd number of changes is one, an even number none.
+            // Below this width rounding decides: an odd number of changes counts as one, an even number as none.
             many if DEPTH <= depth || PARTS < parts => {
                 if many % 2 == 1 {
                     found.push(0.5 * (lo + hi));
@@ -139,7 +140,7 @@ pub(super) fn sign_changes(monomial: &[f64], width: f64) -> Vec<f64> {
             _ => {
                 let (left, right) = halves(b);
                 let middle = 0.5 * (lo + hi);
-                // A root exactly at the middle shows in neither half.
+                // A root exactly at the middle appears in neither half.
                 if left.last() == Some(&0.0) {
                     found.push(middle);
                 }
@@ -153,7 +154,7 @@ pub(super) fn sign_changes(monomial: &[f64], width: f64) -> Vec<f64> {
     found
 }
 
-/// Changes of sign in a sequence, zeros left out.
+/// The number of sign changes in a sequence, without its zeros.
 fn variations(b: &[f64]) -> usize {
     let mut signs = b.iter().filter(|&&b| b != 0.0 && !b.is_nan()).map(|&b| 0.0 < b);
     let Some(mut last) = signs.next() else {
@@ -162,7 +163,7 @@ fn variations(b: &[f64]) -> usize {
     signs.filter(|&sign| std::mem::replace(&mut last, sign) != sign).count()
 }
 
-/// The sign just inside the left end of a form with one change of sign. At the end itself the polynomial may be zero but for its
+/// Whether a form with one change of sign is positive just inside its left end. At the end itself the polynomial may be zero to
 /// rounding, and another way to compute it may round to the other side.
 fn starts_positive(b: &[f64]) -> bool {
     b.iter().find(|&&b| b != 0.0 && !b.is_nan()).is_some_and(|&b| 0.0 < b)
@@ -173,13 +174,13 @@ pub(super) fn value(monomial: &[f64], t: f64) -> f64 {
     monomial.iter().rev().fold(0.0, |sum, &a| sum * t + a)
 }
 
-/// The one root in `[lo, hi]`, by bisection and, once it is faster, Newton's method inside the bracket; the sign of the polynomial
-/// before it is given.
+/// The only root in `[lo, hi]`, by bisection and, once it is faster, by Newton's method inside the bracket; `positive_before` is the
+/// sign of the polynomial before the root.
 #[expect(clippy::cast_precision_loss, reason = "a degree is a small number")]
 fn bracketed(monomial: &[f64], [mut lo, mut hi]: [f64; 2], positive_before: bool) -> f64 {
     let slope: Vec<f64> = monomial.iter().enumerate().skip(1).map(|(j, &a)| a * j as f64).collect();
     let mut t = 0.5 * (lo + hi);
-    // Newton's method needs a handful of steps; bisection alone would need one for each bit.
+    // Newton's method needs a few steps; bisection alone would need one for each bit.
     for _ in 0..100 {
         let f = value(monomial, t);
         if f == 0.0 {
@@ -231,14 +232,14 @@ mod tests {
         assert_eq!(sign_changes(&with_roots(&[0.3, 0.3]), 1.0), Vec::<f64>::new());
     }
 
-    /// A root at the place where an interval is halved, but for rounding: whatever the signs there by either way to compute them, it is
-    /// that place.
+    /// A root at the position where an interval is halved, to rounding: it is found there whatever signs the two ways of computing
+    /// give.
     #[test]
     fn a_root_where_an_interval_is_halved_is_found_there() {
         for i in 1..=2000_u32 {
             let width = 0.371 * f64::from(i) / 7.0;
             let middle = 0.5 * width;
-            // (t − m)(k m² − (t − m)²), with roots beside the middle or without.
+            // (t − m)(k m² − (t − m)²), with or without roots next to the middle.
             for k in [-0.3, 0.11, 0.37] {
                 let c = k * middle * middle;
                 let cubed = middle * middle * middle;

@@ -1,4 +1,4 @@
-//! A scene cut into cells and breakpoints, [`PiecewiseScene`].
+//! Division of a scene into cells and breakpoints, [`PiecewiseScene`].
 
 use super::gauss::Gauss;
 use super::piecewise::{AtSpring, AtSupport, Breakpoint, Cell, PiecewiseScene};
@@ -8,23 +8,23 @@ use crate::scene::axial::LONGEST;
 use crate::scene::pieces::without_collinear_points;
 use crate::scene::{Bearing, Concentrated, Foundation, Held, Load, Scene, Spring, polynomial};
 
-/// A cosine is cut into cells of at most this angle \[rad\]: 22 terms of its Taylor series are then exact to
-/// `0.8²²/22! < 10⁻²³`, and its fourth derivative to `0.8¹⁸/18! < 10⁻¹⁷`.
+/// Largest angle of a cell of a cosine \[rad\]: 22 terms of its Taylor series are then exact to `0.8²²/22! < 10⁻²³`, and its fourth
+/// derivative to `0.8¹⁸/18! < 10⁻¹⁷`.
 const CELL_ANGLE: f64 = 0.8;
-/// Terms of the Taylor series of a cosine.
+/// Number of terms in the Taylor series of a cosine.
 const COSINE_TERMS: usize = 22;
-/// Ten-point Gauss quadrature over such a cell is exact to rounding.
+/// Ten-point Gauss quadrature over a cell of a cosine is exact to rounding.
 const COSINE_DEGREE: usize = 19;
-/// A beam by pieces is a polynomial of degree 5 between breakpoints: load of degree 1, integrated four times.
+/// Between breakpoints the beam is a polynomial of degree 5: a load of degree 1, integrated four times.
 const BEAM_TERMS: usize = 6;
 
 impl PiecewiseScene {
-    /// Profile, supports and load of a dimensionless scene.
+    /// The profile, supports and load of a dimensionless scene.
     pub(super) fn new(scene: &Scene) -> Self {
         Self::with(scene, |_| true)
     }
 
-    /// The same with those of the supports that give of which `acts` is true.
+    /// The same with only those elastic supports for which `acts` is true.
     pub(super) fn with(scene: &Scene, acts: impl Fn(usize) -> bool) -> Self {
         const NONE: Foundation = Foundation::Flat { depth: 0.0 };
         let foundation = scene.foundation().unwrap_or(&NONE);
@@ -100,7 +100,7 @@ impl PiecewiseScene {
         given
     }
 
-    /// Clearances beside the supports, and slopes at those with level ground on both sides, along which the beam lies.
+    /// Sets clearances next to supports, and slopes at supports with level foundation on both sides, along which the beam lies.
     fn meet_supports(&mut self) {
         for i in 0..self.supports.len() {
             let AtSupport { breakpoint, level, slope, tangent, .. } = self.supports[i];
@@ -115,7 +115,7 @@ impl PiecewiseScene {
     }
 }
 
-/// Terms of a piece, and the rules for loads and energies, of a profile of this degree, none with waves.
+/// The number of terms of a piece and the quadrature rules for loads and energies; `degree` of the profile is none for waves.
 fn orders(shapes: &[Shape], degree: Option<usize>, tension: f64) -> (usize, [Gauss; 2]) {
     let is_smooth = degree.is_none() || tension != 0.0;
     let waves = if is_smooth { COSINE_DEGREE } else { 0 };
@@ -130,7 +130,7 @@ fn orders(shapes: &[Shape], degree: Option<usize>, tension: f64) -> (usize, [Gau
     ((profile + 1).max(terms), [of_load, of_energy].map(Gauss::exact_to))
 }
 
-/// A support among the breakpoints at `places`.
+/// A support at one of the breakpoints in `places`.
 fn at_support(
     foundation: &Foundation,
     own: Option<&Foundation>,
@@ -151,7 +151,7 @@ fn at_support(
     }
 }
 
-/// A support that gives, over this stiffness of the beam.
+/// An elastic support, divided by the bending stiffness of the beam.
 fn at_spring(places: &[f64], stiffness: f64, spring: &Spring, acts: bool) -> AtSpring {
     AtSpring {
         breakpoint: places.partition_point(|&x| x < spring.at),
@@ -191,12 +191,12 @@ fn places(profiles: &[Option<&Foundation>], load: &Load, scene: &Scene, ends: &[
     places
 }
 
-/// True if the smooth piece of the profile at a place is no straight line.
+/// Whether the smooth piece of the profile at a position is not a straight line.
 fn is_curved_at(shapes: &[Shape], breaks: &[Break], at: f64) -> bool {
     shapes[breaks.partition_point(|b| b.x <= at)].degree().is_none_or(|degree| 2 <= degree)
 }
 
-/// Ends the smooth pieces at places that no contact goes past: supports that only push, and joints above curved ground.
+/// Splits the smooth pieces at positions that no contact can pass: compression-only supports, and joints above a curved foundation.
 fn break_at(places: &[f64], length: f64, shapes: &mut Vec<Shape>, breaks: &mut Vec<Break>) {
     for &at in places.iter().filter(|at| 0.0 < **at && **at < length) {
         let i = breaks.partition_point(|b| b.x < at);
@@ -207,7 +207,7 @@ fn break_at(places: &[f64], length: f64, shapes: &mut Vec<Shape>, breaks: &mut V
     }
 }
 
-/// What is between the breakpoints.
+/// The cells between the breakpoints.
 fn cells(load: &Load, scene: &Scene, places: &[f64], ends: &[f64]) -> Vec<Cell> {
     let beam = scene.beam();
     let (length, least) = (beam.length(), beam.bending_stiffness());
@@ -226,7 +226,7 @@ fn cells(load: &Load, scene: &Scene, places: &[f64], ends: &[f64]) -> Vec<Cell> 
     places.windows(2).map(cell).collect()
 }
 
-/// What is at the breakpoints.
+/// The loads, steps and kinks at the breakpoints.
 fn breakpoints(
     load: &Load,
     stiffness: f64,
@@ -250,15 +250,15 @@ fn breakpoints(
     for Concentrated { at, force, couple } in load.concentrated() {
         let i = places.partition_point(|&x| x < at).min(breakpoints.len() - 1);
         breakpoints[i].force += force / stiffness;
-        // The moment grows by it, and `v''` falls.
+        // The couple raises the moment, so `v''` falls.
         breakpoints[i].couple -= couple / stiffness;
     }
     breakpoints
 }
 
-/// The breakpoints between two cells under different lines of load, under a force or a couple, or where the beam changes; all of them if the ground is not straight.
+/// The breakpoints at which the line of load ends, a force or couple acts, or the beam changes; all where the gap is not straight.
 fn run_ends(cells: &[Cell], breakpoints: &[Breakpoint], divisions: &[usize], is_straight: bool) -> Vec<usize> {
-    /// Rounding of a line that is evaluated in two cells, as a share of the load.
+    /// Rounding of a line evaluated in two cells, as a share of the load.
     const ROUNDING: f64 = 4.0 * f64::EPSILON;
     let mut start = &cells[0];
     let mut ends = |i: &usize| {
@@ -274,7 +274,7 @@ fn run_ends(cells: &[Cell], breakpoints: &[Breakpoint], divisions: &[usize], is_
     (1..cells.len()).filter(|i| ends(i)).collect()
 }
 
-/// Cuts between `lo` and `hi` into equal parts no longer than `most`.
+/// Positions that divide `lo` to `hi` into equal parts no longer than `most`.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
@@ -286,11 +286,11 @@ fn cuts(lo: f64, hi: f64, most: f64) -> impl Iterator<Item = f64> {
     (1..parts as usize).map(move |i| lo + (hi - lo) * (i as f64 / parts))
 }
 
-/// A profile that needs more cells than this is refused: [`super::TheoryError::TooManyPieces`].
+/// Largest number of cells of a profile; one that needs more is rejected: [`super::TheoryError::TooManyPieces`].
 pub(super) const MOST_CELLS: f64 = 20_000.0;
 
-/// The size of depths, the rounding of which reaches the place where a beam touches: of polynomials and waves what adds up to
-/// the depth, of straight lines only that of their shallowest point, which is given.
+/// The size of depths whose rounding affects contact positions: for polynomials and waves the sum of the terms of the depth, for
+/// straight lines only the depth of the shallowest point, which is given.
 fn within_reach(foundation: &Foundation, length: f64) -> f64 {
     match foundation {
         Foundation::Polyline { points } => points.iter().fold(f64::INFINITY, |least, p| least.min(p[1].abs())),
@@ -298,14 +298,14 @@ fn within_reach(foundation: &Foundation, length: f64) -> f64 {
     }
 }
 
-/// Where one smooth piece of a foundation ends and the next begins.
+/// The boundary between two smooth pieces of a foundation.
 struct Break {
     x: f64,
     /// Jump of the depth.
     step: f64,
 }
 
-/// Smooth pieces of the gap between a foundation and an own shape, and the breaks between them.
+/// Smooth pieces of the gap between a foundation and an initial shape, and the breaks between them.
 fn gap_of(foundation: &Foundation, own: Option<&Foundation>, length: f64) -> (Vec<Shape>, Vec<Break>) {
     let (below, breaks_below) = shapes_of(foundation, length);
     let Some(own) = own else { return (below, breaks_below) };
@@ -346,7 +346,7 @@ fn shapes_of(foundation: &Foundation, length: f64) -> (Vec<Shape>, Vec<Break>) {
     }
 }
 
-/// The segments of a polyline; a step is no segment.
+/// The segments of a polyline; a step is not a segment.
 fn lines_of(points: &[[f64; 2]], length: f64) -> (Vec<Shape>, Vec<Break>) {
     let segments = || points.windows(2).filter(|w| w[0][0] < w[1][0] && w[0][0] < length && 0.0 < w[1][0]);
     let shapes = segments().map(|w| Shape::line(w[0], w[1])).collect();
@@ -354,8 +354,8 @@ fn lines_of(points: &[[f64; 2]], length: f64) -> (Vec<Shape>, Vec<Break>) {
     (shapes, breaks.collect())
 }
 
-/// Magnitudes of the loads that do not stand on a support, which say how large forces and moments are, of couples over the length of the
-/// beam. A force that stands on a support goes through it, however large it is.
+/// Sum of the magnitudes of loads that are not directly on a support (couples over the beam length), which sets the size of forces and
+/// moments. A force directly on a support passes through it, however large it is.
 fn load_between_supports(given: &PiecewiseScene) -> f64 {
     let between = |(i, breakpoint): (usize, &Breakpoint)| {
         given.support_at(i).map_or(breakpoint.force.abs(), |_| 0.0) + breakpoint.couple.abs() / given.length

@@ -1,109 +1,110 @@
-//! A first idea of where the beam touches: a chain of stiff links with elastic hinges above sampled places of the profile.
+//! A first guess of the contacts: a chain of stiff links with elastic hinges above sampled positions of the profile.
 //!
-//! Unknown are the clearances `s = g − v ≥ 0`, the contact forces `p ≥ 0` and the moments `m = −v''` at the samples. With the
+//! The unknowns are the clearances `s = g − v ≥ 0`, the contact forces `p ≥ 0` and the moments `m = −v''` at the samples. With the
 //! second difference `(B y)_i = (y_{i+1} − y_i)/Δ_i − (y_i − y_{i−1})/Δ_{i−1}` and the lumped loads `f`,
 //!
 //! ```text
-//! B s − W m = B u + ρ        how the beam bends between samples
+//! B s − W m = B u + ρ        bending between samples
 //! B m − p   = −f             equilibrium
 //! s_i p_i   = 0              contact
 //! ```
 //!
-//! A link near contact has its elasticity at its two ends (Hencky's chain: `Δ/2` at each end, `ρ = 0`), because a beam
-//! shares the force at a lift-off point between samples and its contacts have holes. A link far from contact is a beam
-//! (`Δ/3` and `Δ/6`, `ρ` the end rotations under its load), which is exact however long it is.
+//! A link near contact has its elasticity at its two ends (Hencky's chain: `Δ/2` at each end, `ρ = 0`), because a beam splits the force
+//! at a lift-off position between samples and its contacts have holes. A link far from contact is a beam (`Δ/3` and `Δ/6`, `ρ` the end
+//! rotations under its load), which is exact for any length.
 //!
-//! A spring presses with `k (v − d) = k (s₀ − s)`, where `s₀` is the clearance without force.
-//! Under an axial force equilibrium is `B m − N B s − p = −f − N B u`.
-//! Where the beam is stiffer a link bends less, and a joint bends besides: its flexibility is added to `W`.
+//! A spring exerts the force `k (v − d) = k (s₀ − s)`, where `s₀` is the clearance without force. Under an axial force equilibrium is
+//! `B m − N B s − p = −f − N B u`. Where the beam is stiffer, a link bends less. A joint adds its flexibility to `W`.
 //!
-//! At a support the clearance is given instead of the force, and at an end of the beam that is not built in the moment is zero. Both
-//! are written as an equation with a penalty that fixes the variable: at a support `s p⁻¹ = 0`, at such an end `W = ∞`.
+//! At a support the clearance is given instead of the force. At an end of the beam that is not built in, the moment is zero. Both are
+//! written as an equation with a penalty that fixes the variable: at a support `s p⁻¹ = 0`, at such an end `W = ∞`.
 //!
-//! Mehrotra's predictor–corrector method (1992) solves this in 15 to 40 block-tridiagonal systems and never cycles. Moments
-//! beside clearances keep the digits that a stiffness matrix of order `1/Δ³` would lose, and clearances have the digits of
-//! small numbers, since only differences of neighbouring depths enter. What comes out is a guess and is treated as one.
+//! Mehrotra's predictor–corrector method (1992) solves this in 15 to 40 block-tridiagonal systems and never cycles. The moments are
+//! unknowns in addition to the clearances, which keeps the digits that a stiffness matrix of order `1/Δ³` would lose. Clearances keep
+//! the digits of small numbers, because only differences of neighbouring depths enter. The result is a guess and is treated as one.
 
 use crate::qp::blocks::{Block, PENALTY, factor_rigid, factor_under_tension, solve, solve_rigid};
 
-/// The flexibility of a hinge in the chain, of a beam of length and stiffness one. It is not infinite: on a side of it where statics alone
-/// says what is there, elimination would divide zero by zero. Eight of the digits of a guess are enough.
+/// The flexibility of a hinge in the chain, for a beam of length and stiffness one. It is finite: where statics alone determines one
+/// side of the hinge, elimination would otherwise divide zero by zero. Eight digits are enough for a guess.
 const HINGE: f64 = 1e8;
 
 /// The chain above samples from end to end of the beam, or of a part of it between built-in supports.
 #[derive(Debug)]
 pub(super) struct Chain<'a> {
-    /// The samples, both ends included.
+    /// The samples, including both ends.
     pub(super) samples: &'a [ChainSample],
-    /// True for an end that is built in.
+    /// Whether each end is built in.
     pub(super) built_in: [bool; 2],
-    /// `N`; the loads of its samples have `N B u` among them.
+    /// `N`; the loads of the samples include `N B u`.
     pub(super) tension: f64,
 }
 
-/// What a chain is made of at a sample, and in the link to its right.
+/// The properties of a chain at a sample, and of the link to its right.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct ChainSample {
-    /// Where.
+    /// Position.
     pub(super) x: f64,
-    /// `(B u)_i + ρ_i`; at an end that is built in, with its slope.
+    /// `(B u)_i + ρ_i`; at a built-in end it includes the slope.
     pub(super) bend: f64,
-    /// What of it belongs to the links on the two sides.
+    /// The parts of `bend` that belong to the links on the two sides.
     pub(super) sides: [f64; 2],
     /// The load `f_i`.
     pub(super) load: f64,
-    /// The clearance, where a support holds it.
+    /// The clearance at a support.
     pub(super) held: Option<f64>,
-    /// True where there is nothing to touch: the clearance is any number, and there is no force.
+    /// Whether there is nothing to touch: the clearance is then free, and the force is zero.
     pub(super) open: bool,
-    /// True for a link that is a beam.
+    /// Whether the link is a beam.
     pub(super) beam: bool,
-    /// How much more flexible the link is than one of the least bending stiffness, at most 1; zero counts as 1.
+    /// The flexibility of the link relative to the least bending stiffness, at most 1; zero counts as 1.
     pub(super) flexibility: f64,
     /// The flexibility of a joint at the sample.
     pub(super) joint: f64,
-    /// The stiffness of a spring at the sample, and the clearance without force.
+    /// The stiffness of a spring at the sample, and the clearance at which its force is zero.
     pub(super) spring: [f64; 2],
-    /// The stiffness of a spring against turning at an end of the chain.
+    /// The stiffness of a rotational spring at an end of the chain.
     pub(super) turning: f64,
 }
 
 /// Contact forces of the chain, and which samples touch.
 #[derive(Debug)]
 pub(super) struct Guess {
-    /// True for a sample that touches.
+    /// Whether each sample touches.
     pub(super) touches: Vec<bool>,
     /// `p` at the samples, zero at supports.
     pub(super) force: Vec<f64>,
 }
 
-/// Where there is nothing to touch a sample lies on a spring, without which elimination would lose how the links bend; softer than
-/// the bed of a beam that nothing holds by this factor, so that it slows no step.
+/// Stiffness of the spring under a sample with nothing to touch, relative to the bed of an unsupported beam. Without the spring
+/// elimination would lose how the links bend. It is soft enough not to slow any step.
 const SOFT: f64 = 1e-9;
 
-/// Steps of the predictor–corrector method at most.
+/// Maximum number of steps of the predictor–corrector method.
 const STEPS: usize = 60;
 
-/// They end where clearance times force is this share of the sizes of both over the square of the number of samples: clearances beside
-/// a contact fall with the square of the distance of samples.
+/// Convergence: clearance times force is at most this share of their sizes, divided by the square of the number of samples. Clearances
+/// next to a contact fall with the square of the sample distance.
 const ENOUGH: f64 = 1e-16;
 
-/// And where forces are in balance to this share of theirs: a guess asks for no more.
+/// Convergence: equilibrium is satisfied to this share of the forces, which is enough for a guess.
 const IN_BALANCE: f64 = 1e-6;
 
-/// Of a step to the border, where the next system would be singular. *Tuned* on hostile scenes: with 0.9 one of 300 is lost.
+/// Share of the step to the boundary, at which the next system would be singular. *Tuned* on hostile scenes: with 0.9 one of 300 is
+/// lost.
 const SHORT: f64 = 0.995;
 
-/// A beam that lies no deeper in the ground than this share of how far it reaches is clear of it but for rounding.
+/// A beam that is no deeper in the foundation than this share of its largest clearance is clear of it, to rounding.
 const CLEAR: f64 = 1e-15;
 
-/// Of the size of clearances, what they begin with at least: inside the border. *Tuned* on hostile scenes: with 1 one of 300 is lost.
+/// Lower limit of the initial clearances as a share of their size, which keeps them inside the boundary. *Tuned* on hostile scenes:
+/// with 1 one of 300 is lost.
 const FIRST: f64 = 0.1;
 
-/// `P l³/EI v` of a force in the middle of a beam on two supports.
+/// `P l³/EI v` for a force at midspan of a beam on two supports.
 const IN_THE_MIDDLE: f64 = 48.0;
 
-/// A sample: what it is made of and where the iteration stands.
+/// A sample: its properties and the current iterate.
 #[derive(Debug, Clone, Copy, Default)]
 struct Row {
     /// `1/Δ` of the link to its right, its part of `W`, and the solution of the linear system: `ds`, `dm`.
@@ -117,11 +118,11 @@ struct Row {
     m: f64,
     /// Residuals of both linear equations.
     rest: [f64; 2],
-    /// The stiffness of a spring, and the clearance without force.
+    /// The stiffness of a spring, and the clearance at which its force is zero.
     spring: [f64; 2],
-    /// True at a support, where `s` is given and `p` is not used.
+    /// Whether it is a support, where `s` is given and `p` is not used.
     held: bool,
-    /// True where nothing touches, and `p` stays zero.
+    /// Whether there is nothing to touch, so `p` remains zero.
     open: bool,
     /// `dp`.
     dp: f64,
@@ -134,17 +135,17 @@ impl AsMut<Block> for Row {
 }
 
 impl Row {
-    /// True if there is something to touch, and no support.
+    /// Whether the sample can touch and is not a support.
     fn may_touch(&self) -> bool {
         !self.held && !self.open
     }
 
-    /// `Θ` of the row: what a support holds is fixed.
+    /// `Θ` of the row; a support fixes the variable.
     fn ratio(&self, free: f64) -> f64 {
         if self.held { PENALTY } else { free + self.spring[0] }
     }
 
-    /// Goes a part of its step, and says whether it touches.
+    /// Applies a part of its step and sets whether it touches.
     fn advance(&mut self, step: f64, touches: &mut bool) {
         self.m += step * self.block.step[1];
         if self.open {
@@ -154,13 +155,13 @@ impl Row {
             return;
         }
         let (s, p) = (self.s + step * self.block.step[0], self.p + step * self.dp);
-        // Of the two that vanish together, the one that vanishes faster (Tapia's indicators).
+        // Of the two variables, the one that vanishes faster tends to zero (Tapia's indicators).
         *touches = s * self.p < p * self.s;
         (self.s, self.p) = (s, p);
     }
 }
 
-/// Factors the matrix of a chain, with an axial force or without.
+/// Factors the matrix of a chain, with or without an axial force.
 fn factored(rows: &mut [Row], tension: f64, ratio: impl Fn(&Row) -> f64) {
     if tension == 0.0 {
         factor_rigid(rows, ratio);
@@ -179,8 +180,8 @@ fn solved(rows: &mut [Row], tension: f64, right: impl Fn(&Row) -> [f64; 2]) {
     }
 }
 
-/// Mehrotra's predictor and corrector: the step of each row, and how much of it leads to the border. What nothing can touch lies on
-/// soft springs.
+/// Mehrotra's predictor and corrector: computes the step of each row and returns the share of it that reaches the boundary. Samples
+/// with nothing to touch are on soft springs.
 fn direction(rows: &mut [Row], mu: f64, count: f64, [soft, tension]: [f64; 2]) -> f64 {
     factored(rows, tension, |row| row.ratio(if row.open { soft } else { row.p / row.s }));
     solved(rows, tension, |row| [row.rest[1] - row.p, row.rest[0]]);
@@ -191,7 +192,7 @@ fn direction(rows: &mut [Row], mu: f64, count: f64, [soft, tension]: [f64; 2]) -
     }
     let ahead = rows.iter().map(|r| (r.s + longest * r.block.step[0]) * (r.p + longest * r.dp)).sum::<f64>() / count;
     let sigma = (ahead / mu) * (ahead / mu) * (ahead / mu);
-    // From here on `dp` holds what the contact condition needs, over `s`.
+    // From here on `dp` contains the right-hand side of the contact condition, over `s`.
     for row in rows.iter_mut().filter(|row| row.may_touch()) {
         row.dp = (sigma * mu - row.block.step[0] * row.dp) / row.s - row.p;
     }
@@ -217,7 +218,7 @@ impl Chain<'_> {
             return Guess { touches, force: vec![0.0; n] };
         }
         for _ in 0..STEPS {
-            // At a support `p` and `dp` stay zero.
+            // At a support `p` and `dp` remain zero.
             let mu = rows.iter().map(|r| r.s * r.p).sum::<f64>() / count;
             let off = residuals(&mut rows, self.tension);
             if mu <= enough && off <= IN_BALANCE * unit_force {
@@ -233,15 +234,15 @@ impl Chain<'_> {
         Guess { touches, force: rows.iter().map(|r| r.p).collect() }
     }
 
-    /// Puts moments, clearances and forces where the steps begin: the sizes of the latter two.
+    /// Sets moments, clearances and forces to their initial values; returns the sizes of clearances and forces.
     fn start(&self, rows: &mut [Row], count: f64) -> [f64; 2] {
-        // The beam that touches nothing; one that then could move lies on a bed of springs, and so does one with a free end: of links
-        // that nothing holds, elimination would lose how they bend.
+        // The beam without contact. If it could then move or has a free end, it is on a bed of springs: elimination would otherwise
+        // lose how links bend that are not supported.
         let springs = if self.is_held_at_both_ends() { 0.0 } else { self.bed() };
         factored(rows, self.tension, |row| row.ratio(springs));
         residuals(rows, self.tension);
         solved(rows, self.tension, |row| [row.rest[1], row.rest[0]]);
-        // Clearances are measured by how deep that beam lies in the foundation, however deep the foundation is elsewhere.
+        // The size of clearances is the depth of that beam in the foundation, whatever the depth of the foundation elsewhere.
         let touching = || rows.iter().filter(|row| row.may_touch());
         let reach = touching().fold(0.0_f64, |most, row| most.max(row.block.step[0].abs()));
         let deepest = touching().fold(CLEAR * reach, |most, row| most.max(-row.block.step[0]));
@@ -265,19 +266,19 @@ impl Chain<'_> {
         length * length * length
     }
 
-    /// The stiffness of each spring of a bed that is as stiff as the beam in its middle.
+    /// The stiffness of each spring in a bed that is as stiff as the beam at midspan.
     fn bed(&self) -> f64 {
         IN_THE_MIDDLE / (self.cube() * as_float(self.samples.len()))
     }
 
-    /// True if a support holds each end.
+    /// Whether a support holds each end.
     fn is_held_at_both_ends(&self) -> bool {
         [self.samples.first(), self.samples.last()].iter().all(|end| end.is_some_and(|end| end.held.is_some()))
     }
 
     fn rows(&self) -> Vec<Row> {
         let n = self.samples.len();
-        // The length, and what of it bends.
+        // The length of a link, its length times its flexibility, and whether it is a beam.
         let link = |i: usize| {
             let ChainSample { x, beam, flexibility, .. } = self.samples[i];
             let length = self.samples[i + 1].x - x;
@@ -307,9 +308,9 @@ impl Chain<'_> {
     }
 }
 
-/// Residuals of both equations; returns the largest of equilibrium.
+/// Computes the residuals of both equations; returns the largest equilibrium residual.
 fn residuals(rows: &mut [Row], tension: f64) -> f64 {
-    // How clearance and moment rise over the link to the left, and how the moment at its left end bends the beam here.
+    // The slopes of clearance and moment over the link to the left, and the rotation here caused by the moment at its left end.
     let (mut left_s, mut left_m, mut bent) = (0.0, 0.0, 0.0);
     let mut worst = 0.0_f64;
     for i in 0..rows.len() {

@@ -1,4 +1,4 @@
-//! What is asked of an answer beside its contacts.
+//! Further properties of an answer in addition to its contacts.
 
 use super::exact::Exact;
 use super::piecewise::Cell;
@@ -6,7 +6,7 @@ use super::span::Span;
 use crate::state::Contact;
 
 impl Exact {
-    /// `v''` to the left and to the right of a node, that of the ground in a zone, and zero where there is no beam.
+    /// `v''` to the left and to the right of a node; in a zone the second derivative of the gap, and zero beyond the ends of the beam.
     pub(super) fn bends(&self, i: usize) -> [f64; 2] {
         let (given, x) = (&self.given, self.list.nodes[i].x);
         let [left, right] = super::sensitivity::ends(&self.spans, i);
@@ -19,8 +19,8 @@ impl Exact {
         ]
     }
 
-    /// True if a zone of the list lies in part where no load drives the beam onto the ground, or the beam is nowhere off the ground between
-    /// two nodes: one answer has several lists of contacts there. On ground that gives there is no list.
+    /// Whether part of a zone has no load that presses the beam onto the foundation, or the beam has no clearance between two nodes.
+    /// One answer then has several contact lists. On an elastic foundation there is no list.
     pub(super) fn lies_without_load(&self) -> bool {
         let mut zones = self.listed.iter().filter(|contact| contact.from < contact.to);
         let along = |span: &Span| span.at_a.iter().chain(&span.at_b).all(|h| *h == 0.0);

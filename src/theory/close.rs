@@ -1,7 +1,8 @@
-//! A close look at a list that is solved: what is nothing beside the largest deflection is much between two points of a survey.
+//! A close check of a solved list: a penetration that is negligible next to the largest deflection is large between two points of a
+//! survey.
 //!
-//! A contact that is missing there costs next to nothing in deflection or energy. But an admissible deflection has to be lifted over
-//! it, by as much as the beam is too deep, and what that costs is of the size of the bend of so short a span.
+//! A contact that is missing there hardly changes the deflection or the energy. But an admissible deflection has to be lifted over it
+//! by the depth of the penetration, and the energy of this lift is as large as the bending energy of so short a span.
 
 use super::check::{Check, check};
 use super::list::{List, Node};
@@ -17,21 +18,21 @@ use super::sensitivity::part_at;
 use super::span::Span;
 use super::violation::Violation;
 
-/// Lists at most that come from a close look. Each has one contact more in a span: it takes four at a hundred thousand points of smooth
-/// ground, and more where many contacts lie close together that a coarse guess took for one.
+/// Maximum number of lists from a close check. Each adds one contact to a span. A hundred thousand points of a smooth foundation need
+/// four lists. More are needed where a coarse guess replaced many close contacts by one.
 const ROUNDS: usize = 16;
-/// What a span may penetrate by at the distance `d` from its nearer end, as a share of `v'' d²`, and its slope beside an edge may be
-/// beyond, as a share of its turn `v'' ℓ`. The bound on the deflection is a few times the largest share: with this one it is a
-/// hundredth of the millionth of the deflection that is asked for.
+/// Penetration allowed at the distance `d` from the nearer end of a span, as a share of `v'' d²`, and excess slope allowed next to an
+/// edge, as a share of the rotation `v'' ℓ`. The bound on the deflection is a few times the largest share. This value keeps it at a
+/// hundredth of the required error, which is a millionth of the deflection.
 const SHARE: f64 = 1e-9;
-/// Of fewer equal cells the shortest span has so large a bow that no more than this share of it escapes the check: of `n` of them
-/// `n²/32` times [`TOLERANCE`](super::check::TOLERANCE).
+/// Smallest number of cells that needs a close check. With `n` equal cells the check misses at most `n²/32` times
+/// [`TOLERANCE`](super::check::TOLERANCE) of the bow of the shortest span; below this number that is at most [`SHARE`].
 const MANY: usize = 150;
-/// Rounding of a clearance that is carried over a few breaks, as a share of what the ground rises by there, and of one that is the
-/// difference of two depths, as a share of these.
+/// Rounding of a clearance: as a share of the rise of the foundation if it is carried over a few breaks, and as a share of the depths
+/// if it is the difference of two depths.
 const ROUNDED: f64 = 4.0 * f64::EPSILON;
 
-/// The list, or the last one of those that follow from a close look at it that is solved; with the work of all.
+/// The last solved list of those that follow from a close check, or the given list; its work includes all lists.
 pub(super) fn closer(given: &PiecewiseScene, mut found: Candidate) -> Candidate {
     let mut faults = closely(given, &found.list, &found.checked);
     let mut last = None;
@@ -64,14 +65,14 @@ pub(super) fn closer(given: &PiecewiseScene, mut found: Candidate) -> Candidate 
     found
 }
 
-/// The list without the two edges of one straight cell between which the beam sags into it: it touches that cell in one point between
-/// them, which its two neighbours so close by would keep Newton's method from finding. [`None`] where no fault is of that kind.
+/// The list in which one tangent contact replaces two edges of a straight cell, where the beam penetrates the cell between them. With
+/// both edges so close Newton's method would not find the tangent contact. [`None`] if there is no such fault.
 fn tangent(given: &PiecewiseScene, list: &List, checked: &Check, faults: &[(usize, Violation)]) -> Option<List> {
     let mut nodes = list.nodes.clone();
     for (i, fault) in faults.iter().rev() {
         let (Violation::Penetration { at, .. }, Some(left)) = (fault, i.checked_sub(1)) else { continue };
         let Some(span) = part_at(&checked.spans, *i, *at) else { continue };
-        // A support that only pushes is no edge of the ground beside it.
+        // A compression-only support is not an edge of the foundation next to it.
         let is_edge = |node: &Node| node.is_edge(given) && node.is_ground(given);
         let both = nodes.get(left..=*i).is_some_and(|two| two.iter().all(is_edge));
         if both && span.a.cell == span.b.cell {
@@ -81,7 +82,8 @@ fn tangent(given: &PiecewiseScene, list: &List, checked: &Check, faults: &[(usiz
     (nodes.len() < list.nodes.len()).then(|| merged(given, &nodes))
 }
 
-/// What a close look finds: penetration of straight ground as a share of the bow as far as the next contact, and slopes beside edges.
+/// The faults of a close check: penetration of a straight foundation as a share of the bow up to the next contact, and slopes next to
+/// edges.
 fn closely(given: &PiecewiseScene, list: &List, checked: &Check) -> Vec<(usize, Violation)> {
     let mut faults = Vec::new();
     if !given.founded || !given.is_straight(0) || given.cells.len() < MANY {
@@ -90,7 +92,7 @@ fn closely(given: &PiecewiseScene, list: &List, checked: &Check) -> Vec<(usize, 
     for (i, span) in &checked.spans {
         let bent = span.beam_a[2].abs().max(span.beam_b[2].abs());
         let rounding = rounding(given, span);
-        // Near an end the lift that clears it bends the whole span by as much as if that were so everywhere.
+        // Near an end, the lift that removes a penetration bends the whole span as much as if the penetration were everywhere.
         let allowed = |x: f64| {
             let near = (x - span.a.x).abs().min((span.b.x - x).abs());
             (SHARE * bent * near * near).min(checked.allowed(given, span, x)).max(rounding)
@@ -104,7 +106,7 @@ fn closely(given: &PiecewiseScene, list: &List, checked: &Check) -> Vec<(usize, 
     faults
 }
 
-/// What the clearance in a span is rounded by.
+/// The rounding of the clearance in a span.
 fn rounding(given: &PiecewiseScene, span: &Span) -> f64 {
     let depth = span.beam_a[0].abs().max(span.beam_b[0].abs());
     let cells = span.a.cell..=span.b.cell;
@@ -112,17 +114,17 @@ fn rounding(given: &PiecewiseScene, span: &Span) -> f64 {
     ROUNDED * rise.min(depth)
 }
 
-/// The steepest slope of some cells of straight ground.
+/// The largest slope of some cells of a straight foundation.
 fn steepest(given: &PiecewiseScene, cells: std::ops::RangeInclusive<usize>) -> f64 {
     cells.fold(0.0, |most, cell| given.derivative(cell, given.cells[cell].lo, 1).abs().max(most))
 }
 
-/// An edge at an end of span `i` beside which the beam goes below the ground and comes up again at once: it touches the slope there
-/// instead.
+/// The violation at an edge at an end of span `i`, next to which the beam goes below the foundation and comes up again at once. The
+/// beam touches the slope there instead.
 fn turned(given: &PiecewiseScene, list: &List, checked: &Check, i: usize, span: &Span) -> Option<Violation> {
     let ends = [(i.checked_sub(1), 1.0, &span.a, &span.at_a), (Some(i), -1.0, &span.b, &span.at_b)];
     ends.into_iter().find_map(|(node, side, end, at)| {
-        // Beside a support that only pushes the ground is farther down.
+        // Next to a compression-only support the foundation is deeper.
         let node = node.filter(|&node| list.nodes.get(node).is_some_and(|node| node.is_edge(given)) && at[0] <= 0.0)?;
         let (turn, bend) = (-side * at[1], at[2]);
         let cell = &given.cells[end.cell];
@@ -141,7 +143,7 @@ mod tests {
     use crate::scene::{Beam, Foundation, Load, Scene, Support};
     use crate::theory::normal::edge_node;
 
-    /// Between two edges of the ground the beam touches the straight piece that joins them; two supports that only push stay.
+    /// Between two edges of the foundation the beam touches the straight piece that joins them; two compression-only supports are kept.
     #[test]
     fn supports_that_only_push_stay_where_edges_become_a_tangent() {
         const AT: [f64; 2] = [4.0, 6.0];

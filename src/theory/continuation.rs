@@ -1,4 +1,5 @@
-//! From one scene to a scene beside it: the list of contacts goes with it, and is right there or fails in a way that can be named.
+//! The contacts of an answer in a neighbouring scene: its contact list is carried over and is right there, or it violates a condition
+//! that can be named.
 
 use super::check::check;
 use super::exact::Exact;
@@ -12,45 +13,46 @@ use super::springs::Springs;
 use crate::certificate::Slope;
 use crate::scene::{Scale, Scene};
 
-/// What an answer takes, however small its scene is, on two supports.
+/// Work of an answer on two supports, however small its scene is.
 const START: u64 = 50;
 
-/// What each further support takes. *Tuned* on 500 to 4,000 of them: an answer and its bounds take 48 microseconds for each, and three times as many
-/// units keep a sweep over thousands of supports within 20 seconds.
+/// Work of each further support. *Tuned* on 500 to 4,000 of them: an answer and its bounds take 48 microseconds for each, and three
+/// times as many units keep a sweep over thousands of supports within 20 seconds.
 const OF_A_SUPPORT: usize = 150;
 
-/// What each support that only pushes takes. *Tuned* on 1,500 of them: a row and its bounds take 0.1 s.
+/// Work of each compression-only support. *Tuned* on 1,500 of them: a row and its bounds take 0.1 s.
 const OF_A_BEARING: usize = 40;
 
-/// What each sample of a chain takes that was solved to find it. *Tuned* on waves beside a force of 10¹³, where a search through 38,000
-/// samples takes 0.11 s: as much as the units of 2,300 point loads do.
+/// Work of each sample of a chain that was solved to find the answer. *Tuned* on waves next to a force of 10¹³, where a search through
+/// 38,000 samples takes 0.11 s: as much as the units of 2,300 point loads do.
 const OF_A_SAMPLE: u64 = 15;
 
-/// A contact on waves takes as much as so many pieces of straight ground. *Tuned* on 1,000 waves that all touch: a row and its bounds take
-/// 0.15 s, thirty times as much as on a survey of 2,500 points, and a search for events on them has to end as soon.
+/// Work of a contact on waves, in pieces of straight foundation. *Tuned* on 1,000 waves that all touch: a row and its bounds take 0.15
+/// s, thirty times as much as on a survey of 2,500 points, and a search for events on them has to end as soon.
 const ON_A_WAVE: usize = 16;
 
-/// A part of the beam on ground that gives takes as much as so many pieces of rigid ground. *Tuned* on level ground of stiffness 1 to 10²⁰
-/// and on polynomials: a solve takes 0.9 to 1.6 microseconds for each of its parts, and a sweep has 0.2 for a unit.
+/// Work of a part of the beam on an elastic foundation, in pieces of rigid foundation. *Tuned* on level foundations of stiffness 1 to
+/// 10²⁰ and on polynomials: a solve takes 0.9 to 1.6 microseconds for each of its parts, and a sweep has 0.2 for a unit.
 const OF_A_PART: usize = 5;
 
-/// Bounds take so many times the work of the lists.
+/// Work of the bounds, in multiples of the work of the lists.
 const JUDGED: u64 = 7;
 
-/// Bounds of a part on ground that gives. *Tuned* on level ground of stiffness 10¹²: 5 ms for 103 parts.
+/// Work of the bounds of a part on an elastic foundation. *Tuned* on a level foundation of stiffness 10¹²: 5 ms for 103 parts.
 const BOUNDS_OF_A_PART: usize = 250;
 
-/// Newton steps on contacts that only move: from beside the solution two double the digits up to the last one, and two are at rest.
+/// Newton steps for contacts that only move: close to the solution two steps double the digits up to the last one, and two more confirm
+/// it.
 const STEPS: usize = 4;
 
-/// To make the scene and its spans and to check them once is as much as so many lists of a search. *Tuned* on 2,300 point loads: so the
-/// work of a search for events, which is mostly of this kind, takes the time that it takes elsewhere.
+/// Work of making the scene and its spans and checking them once, in lists of a search. *Tuned* on 2,300 point loads: with this value
+/// the work of a search for events, which is mostly of this kind, takes the same time per unit as other work.
 const MOVED: usize = 4;
 
 impl Exact {
-    /// What the contacts of this solution violate in `scene`, if they are kept as they are and only move: each condition
-    /// that can be followed from one scene to the other. Where there are no such contacts because one of them cannot go on, it
-    /// is that. [`None`] if there are none for another reason.
+    /// The conditions that the contacts of this solution violate in `scene` if they move but keep their kinds, as far as a condition
+    /// can be followed from one scene to the other. If a contact cannot be continued, its condition is the only one. [`None`] if the
+    /// contacts do not exist there for another reason.
     #[must_use]
     pub(crate) fn violated_conditions(&self, scene: &Scene) -> Option<Vec<Condition>> {
         let (given, list, converged) = self.tried(scene)?;
@@ -60,9 +62,9 @@ impl Exact {
         Some(violated_conditions(&given, &list, &check(&given, &list), &self.pattern().pulls))
     }
 
-    /// This solution with its contacts moved to where they are in `scene` and kept as they are, if that is an answer there, with
-    /// supports that pull and press as they did. Where contacts carry nothing, or too little to count, one answer has several lists
-    /// of them, and this one may be another than [`solve_near`](super::solve_near) finds.
+    /// This solution with its contacts moved to their positions in `scene`, if that is an answer there in which each support has a
+    /// reaction of the same sign. If contacts carry nothing, or too little to count, one answer has several contact lists, and this one
+    /// may differ from the list that [`solve_near`](super::solve_near) finds.
     #[must_use]
     pub fn moved(&self, scene: &Scene) -> Option<Self> {
         let scaled = scene.scaled().ok()?;
@@ -77,8 +79,8 @@ impl Exact {
         Some(Self::new(given, found, scaled.scale, stiffness))
     }
 
-    /// The answer in a scene beside this one, if this one goes on there: with its contacts moved and kept as they are; where these cannot be
-    /// carried over, with those of the answer there.
+    /// The answer in a neighbouring scene, if this one continues there: with its contacts moved but of the same kinds. If the contacts
+    /// cannot be carried over, the answer is solved anew from this one.
     pub(super) fn goes_on_in(&self, scene: &Scene) -> Option<Self> {
         let Some((given, list, converged)) = self.tried(scene) else {
             return solve_near(scene, &[self]).ok().filter(|there| there.solved);
@@ -90,30 +92,30 @@ impl Exact {
         found.solved().then(|| Self::new(given, found, scaled.scale, stiffness))
     }
 
-    /// How far the contacts of this solution, kept as they are, are from violating a condition in `scene`: a smooth function of
-    /// the numbers of the scene, negative where the condition is violated. [`None`] where it has no meaning.
+    /// The margin of a condition in `scene` for the contacts of this solution, moved but of the same kinds: a smooth function of the
+    /// numbers of the scene, negative where the condition is violated. [`None`] where it is undefined.
     #[must_use]
     pub(crate) fn margin(&self, scene: &Scene, condition: Condition) -> Option<f64> {
         let Some((given, list)) = self.kept(scene) else { return condition.without_list() };
         condition.value(&given, &list)
     }
 
-    /// How far the contacts of this solution, kept as they are, are from violating each condition in `scene` that can be told before
-    /// it fails. [`None`] if there are no such contacts there.
+    /// The margins in `scene` of all conditions that can be evaluated before they fail, for the contacts of this solution, moved but of
+    /// the same kinds. [`None`] if there are no such contacts.
     #[must_use]
     pub(crate) fn margins(&self, scene: &Scene) -> Option<Vec<(Condition, f64)>> {
         let (given, list) = self.kept(scene)?;
         Some(all(&given, &list, &self.pattern().pulls))
     }
 
-    /// What it takes to find this solution: pieces of the scene and nodes that are gone through, and a start. A unit is about
-    /// a microsecond.
+    /// The work to find this solution: a constant, plus the pieces of the scene and the nodes that are processed. A unit is about a
+    /// microsecond.
     #[must_use]
     pub fn work(&self) -> u64 {
         self.work_of_lists() + OF_A_SAMPLE * u64::try_from(self.samples).unwrap_or(u64::MAX)
     }
 
-    /// What it takes to prove bounds for it, in the same units.
+    /// The work to prove bounds for it, in the same units.
     #[must_use]
     pub(crate) fn work_of_bounds(&self) -> u64 {
         let parts = self.springs.as_ref().map_or(0, Springs::size);
@@ -121,12 +123,12 @@ impl Exact {
         lists + u64::try_from(parts * BOUNDS_OF_A_PART).unwrap_or(u64::MAX)
     }
 
-    /// The same without the chains from which its first lists came.
+    /// The work to find this solution without the chains from which its first lists came.
     fn work_of_lists(&self) -> u64 {
         self.work_of(self.lists, self.iterations)
     }
 
-    /// What it takes to move its contacts to where they are in another scene, in the same units.
+    /// The work to move its contacts to their positions in another scene, in the same units.
     pub(crate) fn work_to_move(&self) -> u64 {
         self.work_of(MOVED, STEPS)
     }
@@ -134,22 +136,22 @@ impl Exact {
     fn work_of(&self, lists: usize, steps: usize) -> u64 {
         let on_waves = self.given.shapes.iter().any(|shape| shape.waves()[0].is_some());
         let nodes = self.list.nodes.len() * if on_waves { ON_A_WAVE } else { 1 };
-        // To read, scale and sum up a point load takes as much again as the piece of the beam that it starts.
+        // Reading, scaling and adding up a point load takes as much again as the piece of the beam that it starts.
         let sunk = OF_A_PART * self.springs.as_ref().map_or(0, Springs::size);
         let pieces = self.given.cells.len() + sunk + self.given.forces().count();
         let passes = (lists + 1) * (pieces + nodes) + steps * nodes;
-        // Of thousands of supports this is nearly all of it.
+        // With thousands of supports this is nearly all of the work.
         let many =
             OF_A_SUPPORT * self.given.supports.len().saturating_sub(2) + OF_A_BEARING * self.given.bearings.len();
         START + u64::try_from(passes + many).unwrap_or(u64::MAX)
     }
 
-    /// The list of this solution, with its places as they are in `scene`.
+    /// The list of this solution with its positions in `scene`, if Newton's method converged.
     fn kept(&self, scene: &Scene) -> Option<(PiecewiseScene, List)> {
         self.tried(scene).and_then(|(given, list, converged)| converged.then_some((given, list)))
     }
 
-    /// The same, and whether Newton's method converged.
+    /// The list of this solution with its positions in `scene`, and whether Newton's method converged.
     fn tried(&self, scene: &Scene) -> Option<(PiecewiseScene, List, bool)> {
         scene.on_rigid_ground("a list of contacts").ok()?;
         let scaled = scene.scaled().ok()?;
@@ -159,7 +161,7 @@ impl Exact {
         Some((given, list, converged))
     }
 
-    /// The list of this solution in a scene beside it, to start from; [`None`] if its nodes are not there.
+    /// The list of this solution in a neighbouring scene as a starting point; [`None`] if its nodes do not exist there.
     pub(super) fn list_in(&self, to: &PiecewiseScene, scale: &Scale) -> Option<List> {
         let from = &self.given;
         if self.springs.is_some()
@@ -180,7 +182,7 @@ impl Exact {
     }
 }
 
-/// Node `i` of a list in another scene, with the units of places and slopes of the one in those of the other.
+/// Node `i` of a list in another scene; `unit` and `slope` convert positions and slopes to the units of that scene.
 fn carried(list: &List, i: usize, from: &PiecewiseScene, to: &PiecewiseScene, [unit, slope]: [f64; 2]) -> Option<Node> {
     let node = &list.nodes[i];
     let Some(breakpoint) = node.breakpoint else { return moved(node, from, to, unit) };
@@ -203,7 +205,7 @@ fn carried(list: &List, i: usize, from: &PiecewiseScene, to: &PiecewiseScene, [u
     (!node.is_edge(from) || to.is_edge(at)).then_some(carried)
 }
 
-/// The same of one that moves along a smooth piece of the profile.
+/// A node in another scene that moves along a smooth piece of the profile.
 fn moved(node: &Node, from: &PiecewiseScene, to: &PiecewiseScene, unit: f64) -> Option<Node> {
     let shape = from.cells[node.cell].shape;
     // The first cell of that piece to the right of the same support.
@@ -211,7 +213,7 @@ fn moved(node: &Node, from: &PiecewiseScene, to: &PiecewiseScene, unit: f64) -> 
     let support = supports.checked_sub(1).map_or(0, |i| to.supports[i].breakpoint);
     let first = to.cells.partition_point(|cell| cell.shape < shape).max(support).min(to.cells.len() - 1);
     let (lo, hi) = to.reach(first);
-    // A piece of the profile that has moved takes its contacts with it.
+    // If the piece of the profile has moved, its contacts move with it.
     let was = from.reach(node.cell);
     let x = node.x * unit;
     let inside = lo <= x && x <= hi;

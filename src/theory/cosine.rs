@@ -1,6 +1,6 @@
 //! Fixed-end moments and shear forces of a cosine profile, in closed form.
 //!
-//! Over a span of length `ℓ` with the phase `ψ` of `u = A cos(ωx + φ)` at its middle and `k = ωℓ/2`, partial integration of
+//! Over a span of length `ℓ`, let `ψ` be the phase of `u = A cos(ωx + φ)` at midspan and `k = ωℓ/2`. Partial integration of
 //! `∫ u'''' w_a` with the weights of [`super::span`] gives, with the spherical Bessel functions `j₁` and `j₂`,
 //!
 //! ```text
@@ -8,9 +8,9 @@
 //! G_b = A ω² k (cosψ j₁(k) − sinψ j₂(k)),       ∫ u''''      t /ℓ = A ω³ (cosψ sin k − sinψ k j₁(k))
 //! ```
 //!
-//! For long spans over many waves this does not add up the waves, and for short ones the series of `j` do not cancel.
+//! For long spans over many waves this does not sum over the waves. For short spans the series of `j` do not cancel.
 
-/// `([G_a, G_b], [shear_a, shear_b])` of `A cos` with phase `psi` at the middle of a span of length `l`.
+/// `([G_a, G_b], [shear_a, shear_b])` of `A cos` with the phase `psi` at the middle of a span of length `l`.
 pub(super) fn fixed_end(amplitude: f64, wave: f64, psi: f64, l: f64) -> ([f64; 2], [f64; 2]) {
     let k = 0.5 * wave * l;
     let (j1, j2) = bessel(k);
@@ -26,7 +26,7 @@ pub(super) fn fixed_end(amplitude: f64, wave: f64, psi: f64, l: f64) -> ([f64; 2
 
 /// Spherical Bessel functions `j₁(k)` and `j₂(k)` for `k ≥ 0`.
 fn bessel(k: f64) -> (f64, f64) {
-    /// Below this the closed forms lose digits (one to `j₁`, three to `j₂`), and the series needs at most 14 terms.
+    /// Argument below which the closed forms lose digits (one in `j₁`, three in `j₂`); the series needs at most 14 terms there.
     const SERIES: f64 = 2.0;
     if k < SERIES {
         // j_n = k^n Σ (−k²/2)^m / (m! (2n + 2m + 1)!!)
@@ -55,7 +55,7 @@ mod tests {
 
     #[test]
     fn closed_form_is_the_integral() {
-        // Quadrature of fifty points over up to three waves, in sums of order 1.
+        // Quadrature with fifty points over up to three waves, in sums of order 1.
         const ROUNDING: f64 = 1e-12;
         let rule = Gauss::exact_to(99);
         for wave in [0.01, 0.5, 1.9, 2.1, 7.0, 20.0] {

@@ -1,5 +1,4 @@
-//! The exact solution as data, in the units of the scene, and at places along the beam for a table or a figure: there is no
-//! grid.
+//! The exact solution as data in the units of the scene, and its values along the beam for a table or a figure. There is no grid.
 
 use super::list::{List, Node};
 use super::piece::{Piece, derivatives};
@@ -16,52 +15,52 @@ use crate::state::{Contact, ContactState, Motion, Standing};
 /// The exact solution of a scene; made by [`super::solve`].
 #[derive(Debug, Clone)]
 pub struct Exact {
-    /// The beam in its final position; no nodes.
+    /// The beam in its final position; it has no nodes.
     pub state: ContactState,
-    /// True if every condition holds everywhere, to 12 digits; otherwise this is the best answer that was found.
+    /// Whether every condition is satisfied along the whole beam, to 12 digits; otherwise this is the best answer that was found.
     pub solved: bool,
-    /// True if Newton's method converged for its list of contacts.
+    /// Whether Newton's method converged for its contact list.
     pub converged: bool,
-    /// Unknowns of the exact model: lift-off positions, and slopes at edges of the profile and at inner supports.
+    /// Number of unknowns of the exact model: lift-off positions, and slopes at edges of the profile and at inner supports.
     pub unknowns: usize,
-    /// Newton steps, those of lists that failed their check included.
+    /// Number of Newton steps, including steps on lists that failed their check.
     pub iterations: usize,
-    /// Lists of contacts that were tried.
+    /// Number of contact lists that were tried.
     pub lists: usize,
-    /// Samples of the chains that were solved to find these.
+    /// Number of samples of the chains that proposed these lists.
     pub(super) samples: usize,
-    /// Worst violation of any condition, relative to the largest deflection and moment, or to the forces beside a contact.
+    /// Largest violation of any condition, relative to the largest deflection and moment, or to the forces next to a contact.
     pub residual: f64,
-    /// What the answer violates; empty if it is solved.
+    /// The violated conditions; empty if the answer is solved.
     pub violations: Vec<Violation>,
-    /// Moments that foundation and support exert on the beam together where the foundation starts at the level of a
-    /// support and holds the slope of the beam there: the limit of a large reaction downwards and a large contact force
-    /// upwards beside it. Not positive, mostly zero \[force · length\]. `state.reactions` has the net force.
+    /// Moments that foundation and support together exert on the beam where the foundation starts at the level of a support and fixes
+    /// the slope of the beam there. Each is the limit of a large downward reaction and a large upward contact force next to it. Not
+    /// positive, mostly zero \[force · length\]. `state.reactions` contains the net force.
     pub support_couples: [f64; 2],
     pub(super) given: PiecewiseScene,
     pub(super) list: List,
-    /// The contacts of the list, whether they press or not.
+    /// All contacts of the list, whether they press or not.
     pub(super) listed: Vec<Contact>,
-    /// Those of them that do not press, or do in a part of them only.
+    /// The contacts of the list that do not press, or press only in a part.
     pub(super) idle: Vec<Contact>,
     pub(super) spans: Vec<(usize, Span)>,
-    /// Of the nodes of the list, over `EI`; of a support without the load that stands on it.
+    /// Forces of the nodes of the list, over `EI`; at a support without a load directly on it.
     pub(super) forces: Vec<f64>,
     pub(super) pieces: Vec<Piece>,
-    /// On ground that gives, where there is neither a list nor pieces of it.
+    /// The answer on an elastic foundation, which has neither a list nor pieces.
     pub(super) springs: Option<Springs>,
     pub(super) scale: Scale,
     pub(super) stiffness: f64,
 }
 
 impl Exact {
-    /// The word of tables for how it ended: `solved`, `not solved`, or `gave up` where Newton's method did not converge either.
+    /// The word in tables for how the solution ended: `solved`, `not solved`, or `gave up` if Newton's method did not converge either.
     #[must_use]
     pub fn ended(&self) -> &'static str {
         crate::route::ended(self.solved, self.converged)
     }
 
-    /// From the search's result.
+    /// The answer in the units of the scene, from the result of the search.
     pub(super) fn new(given: PiecewiseScene, found: Candidate, scale: Scale, stiffness: f64) -> Self {
         let state = summary::state(&given, &found, stiffness).in_units_of(&scale);
         let overflow = (!state.is_finite()).then_some(Violation::Overflow);
@@ -94,11 +93,11 @@ impl Exact {
             scale,
             stiffness,
         };
-        // What is no solution shows the forces that its list has, those that pull among them.
+        // An answer that is not a solution shows all forces of its list, including tensile ones.
         if solved { exact.with_touches(&nothing) } else { exact }
     }
 
-    /// With what the supports leave free: `balance` in the units of the scene, `slopes` dimensionless.
+    /// Adds what the supports leave undetermined: `balance` in the units of the scene, `slopes` dimensionless.
     pub(super) fn balanced(mut self, balance: Balance, slopes: Option<[f64; 2]>) -> Self {
         let unit = self.scale.depth / self.scale.length;
         let motion = match balance {
@@ -131,9 +130,9 @@ impl Exact {
         right
     }
 
-    /// The same just left and just right of `x`: a support that holds the slope takes a couple.
+    /// Bending moments just left and just right of `x`: they differ where a support fixes the slope or a couple acts.
     pub(crate) fn moments(&self, x: f64) -> [f64; 2] {
-        // Adding zero turns a −0.0 into 0.0.
+        // Adding zero turns −0.0 into 0.0.
         [false, true].map(|right| -self.beam(x, right)[2] * self.stiffness * self.scale.moment() + 0.0)
     }
 
@@ -143,8 +142,8 @@ impl Exact {
         [false, true].map(|right| -self.beam(x, right)[3] * self.stiffness * self.scale.force + 0.0)
     }
 
-    /// Clearance `h = g − v` \[length\]; at a step the smaller one, above a support that only pushes that from it, also from one that gives
-    /// where there is no ground; infinite where there is nothing to touch.
+    /// Clearance `h = g − v` \[length\]; at a step the smaller value. Above a rigid compression-only support it is the distance to the
+    /// support; without a foundation also above an elastic one. Infinite where there is nothing to touch.
     #[must_use]
     pub fn clearance(&self, x: f64) -> f64 {
         let bearing = self.given.breakpoint_at(x / self.scale.length).filter(|&i| self.given.is_bearing(i));
@@ -162,7 +161,7 @@ impl Exact {
                 return if 0.0 < part.ground { -part.sunk(x)[0] } else { f64::INFINITY };
             }
             let (piece, place) = self.piece(x, right);
-            // At a break the cell on the same side as the piece.
+            // At a break, use the cell on the same side as the piece.
             let cell = if right { self.given.cell_from(place) } else { self.given.cell_to(place) };
             let part = piece.part_in(&self.given, cell);
             let mut taylor = vec![0.0; self.given.terms];
@@ -172,7 +171,7 @@ impl Exact {
         left.min(right) * self.scale.depth
     }
 
-    /// Contact pressure `p = q − EI u''''` inside a zone, zero outside; without concentrated forces \[force / length\].
+    /// Contact pressure `p = q − EI u''''` inside a zone, without concentrated forces; zero outside \[force / length\].
     #[must_use]
     pub fn pressure(&self, x: f64) -> f64 {
         if let Some(springs) = &self.springs {
@@ -185,7 +184,8 @@ impl Exact {
         -self.given.drive(piece.cell, at) * self.stiffness * self.scale.force / self.scale.length
     }
 
-    /// Concentrated contact forces inside zones, at point loads: `(place, force)`, upwards \[length, force\].
+    /// Concentrated contact forces inside zones, under point loads and over elastic supports: `(position, force)`, upwards \[length,
+    /// force\].
     pub fn forces_inside_zones(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
         let rigid = self.springs.is_none();
         let inside = move |x: f64| rigid && self.state.contacts.iter().any(|c| c.from < x && x < c.to);
@@ -197,8 +197,8 @@ impl Exact {
             .filter(move |&(x, _)| inside(x))
     }
 
-    /// The supports at which the ground holds the slope of the beam, each with whether it does so from the left: what a certificate has
-    /// to know of them beside the places of contacts.
+    /// The supports at which the foundation fixes the slope of the beam, each with whether it does so from the left. A certificate
+    /// needs them in addition to the positions of contacts.
     pub(crate) fn held(&self) -> Vec<(f64, bool)> {
         let held = |node: &Node| match node.slope {
             Slope::OfGround { from_the_left } => {
@@ -209,12 +209,12 @@ impl Exact {
         self.list.nodes.iter().filter_map(held).collect()
     }
 
-    /// True if nothing but supports gives: there is a list of contacts.
+    /// Whether the foundation is not elastic, so that there is a contact list.
     pub(crate) fn is_rigid(&self) -> bool {
         self.springs.is_none()
     }
 
-    /// The deflection by parts in other units, of powers of two; none on ground that gives.
+    /// The deflection by parts in other units, which are powers of two; empty on an elastic foundation.
     pub(crate) fn curve(&self, to: &Scale) -> Vec<Hung> {
         let [along, deep] = [self.scale.length / to.length, self.scale.depth / to.depth];
         let mut taylor = vec![0.0; self.given.terms];
@@ -232,8 +232,8 @@ impl Exact {
         self.pieces.iter().map(of).collect()
     }
 
-    /// Of ground that gives, the stretches of the beam in the units of [`Scene::scaled`](crate::scene::Scene::scaled): the witness of a
-    /// certificate.
+    /// The stretches of a beam on an elastic foundation, in the units of [`Scene::scaled`](crate::scene::Scene::scaled). A certificate
+    /// is proven from them.
     #[must_use]
     pub fn stretches(&self) -> Option<Vec<Stretch>> {
         Some(self.springs.as_ref()?.stretches().collect())
@@ -249,7 +249,7 @@ impl Exact {
         self.pieces.iter().map(of).sum()
     }
 
-    /// The piece at `x`, of two the left or the right one, and the dimensionless place on it.
+    /// The piece at `x`, at a boundary the left or the right one, and the dimensionless position on it.
     fn piece(&self, x: f64, right: bool) -> (&Piece, f64) {
         let x = x / self.scale.length;
         let i =
@@ -272,7 +272,7 @@ impl Exact {
     }
 }
 
-/// The moment that foundation and a simple support exert on the beam together at an end of it.
+/// The moment that foundation and simple support together exert on the beam at one end.
 fn couple(given: &PiecewiseScene, list: &List, moments: &[[f64; 2]], end: f64) -> f64 {
     let at_end = |node: &Node| node.is_held() && node.support(given).is_some() && node.x <= end && end <= node.x;
     let Some(i) = list.nodes.iter().position(at_end) else { return 0.0 };
@@ -280,10 +280,10 @@ fn couple(given: &PiecewiseScene, list: &List, moments: &[[f64; 2]], end: f64) -
     if end <= 0.0 { right + own } else { left - own }
 }
 
-/// Values at one side of a place: where a force acts, shear has one value to the left of it and another to the right.
+/// Values on one side of a position: where a force acts, the shear force differs between left and right.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sample {
-    /// Where \[length\].
+    /// Position \[length\].
     pub x: f64,
     /// `v`, positive downwards \[length\].
     pub deflection: f64,
@@ -300,9 +300,8 @@ pub struct Sample {
 }
 
 impl Exact {
-    /// Samples from end to end of `scene`, which this is the solution of: the ends of equal intervals, and besides
-    /// wherever something begins, ends or acts. There, and where shear or pressure jump, a place has two samples, one for
-    /// each side.
+    /// Samples from end to end of `scene`, whose solution this is: the ends of equal intervals, and every position where something
+    /// begins, ends or acts. At these positions, and where shear or pressure jumps, there are two samples, one for each side.
     #[must_use]
     pub fn samples(&self, scene: &Scene, intervals: u32) -> Vec<Sample> {
         let length = scene.beam().length();
@@ -326,7 +325,7 @@ impl Exact {
             let stiffened = scene.ground_changes().any(|at| sits_at(at, x));
             let joined = scene.beam().joints().iter().any(|joint| sits_at(joint.at, x));
             if 0.0 < x && (!inside || jumps || loaded || supported || joined || stiffened) {
-                // Pressure is that of the right-hand side; a step to the left is that of the other.
+                // The pressure at `x` is the value on its right side; one step to the left it is the value on the left side.
                 let turned = scene.load().couple().iter().any(|load| sits_at(load.at, x));
                 let moment = if supported || turned { bent_left } else { bent_right };
                 samples.push(sample(self.pressure(x.next_down()), moment, left, !joined));
@@ -354,7 +353,7 @@ impl Exact {
             }
         }
         places.retain(|x| (0.0..=length).contains(x));
-        // −0.0 is a place on the beam as well.
+        // −0.0 is a position on the beam as well.
         places.iter_mut().for_each(|x| *x += 0.0);
         places.sort_by(f64::total_cmp);
         places.dedup();
@@ -362,7 +361,7 @@ impl Exact {
     }
 }
 
-/// The same places are computed in the same way: they are the same bits or they are other places.
+/// Whether two positions are the same bits: equal positions are computed in the same way.
 fn sits_at(place: f64, x: f64) -> bool {
     place.total_cmp(&x).is_eq()
 }

@@ -1,14 +1,14 @@
-//! What a list makes of the beam: the forces of its nodes and zones, and the moments beside the nodes.
+//! Forces of the nodes and zones of a list, and moments next to the nodes.
 
 use super::list::{List, Node};
 use super::piecewise::PiecewiseScene;
 use super::sensitivity::ends;
 use super::span::{EndCondition, Span};
 
-/// Concentrated forces at the nodes, `R = P + v'''(x−) − v'''(x+) + N [v']`, with nothing beyond the ends of the beam; at a support without
-/// the load `P` that stands on it.
+/// Concentrated forces at the nodes, `R = P + v'''(x−) − v'''(x+) + N [v']`, with zero beyond the ends of the beam; at a support
+/// without the load `P` directly on it.
 pub(super) fn forces(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Vec<f64> {
-    // The profile has breaks of its depth and slope only: g''' is the same on both sides of a contact, and h''' will do.
+    // The profile jumps in depth and slope only: g''' is the same on both sides of a contact, so h''' can be used.
     let last = given.cells.len() - 1;
     let of_zone = |node: usize, cell: usize| given.bent(cell, list.nodes[node].x, 3);
     let mut forces: Vec<f64> = Vec::with_capacity(list.nodes.len());
@@ -16,7 +16,7 @@ pub(super) fn forces(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)
         let in_beam = !node.can_move() && !node.is_edge(given);
         let mut force = if node.support(given).is_some() { 0.0 } else { given.force_at(node.x, node.cell) };
         if in_beam {
-            // Beside a zone the beam is the profile.
+            // In a zone the beam follows the profile.
             if list.in_zone_before(i) {
                 force += of_zone(i, given.cell_to(node.x));
             }
@@ -49,7 +49,7 @@ pub(super) fn forces(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)
     forces
 }
 
-/// The vertical force is `V + N v'`: it jumps by `N` times what the slope jumps by, at the ends of the beam and in joints.
+/// Adds the jumps of `N v'`: the vertical force is `V + N v'`, and the slope jumps at the ends of the beam and in joints.
 fn add_turns(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], forces: &mut [f64]) {
     for (i, (node, force)) in list.nodes.iter().zip(forces).enumerate() {
         let is_end = node.x <= 0.0 || given.length <= node.x;
@@ -64,8 +64,8 @@ fn add_turns(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], force
     }
 }
 
-/// The largest shear force in the spans to the left and to the right of a node, and the largest that the moments at the ends of these
-/// could make by themselves: the numbers whose rounding a concentrated force carries.
+/// The largest shear force in the spans next to a node, including the largest shear force that the end moments of a span alone could
+/// cause. The rounding of a concentrated force is a share of this number.
 pub(super) fn force_beside(spans: &[(usize, Span)], node: usize) -> f64 {
     ends(spans, node).into_iter().flatten().fold(0.0, |most: f64, span| {
         let of_moments = (span.beam_a[2].abs() + span.beam_b[2].abs()) / span.length();
@@ -73,7 +73,7 @@ pub(super) fn force_beside(spans: &[(usize, Span)], node: usize) -> f64 {
     })
 }
 
-/// Moments `−e v''` just to the left and just to the right of the nodes, with nothing beyond the ends of the beam.
+/// Moments `−e v''` just to the left and just to the right of the nodes, with zero beyond the ends of the beam.
 pub(super) fn moments(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Vec<[f64; 2]> {
     let of_zone = |zone: bool, cell: usize, x: f64| if zone { -given.bent(cell, x, 2) } else { 0.0 };
     let beside = |(i, node): (usize, &Node)| {
@@ -92,7 +92,7 @@ pub(super) fn moments(given: &PiecewiseScene, list: &List, spans: &[(usize, Span
     moments
 }
 
-/// `∫ q − e u'''' + N u'' dx` over the inside of a zone, with the point loads there, less the springs.
+/// The force on the inside of a zone: `∫ q − e u'''' + N u'' dx` with the point loads there, less the forces of elastic supports.
 pub(super) fn zone_force(given: &PiecewiseScene, from: f64, to: f64) -> f64 {
     let (first, last) = (given.cell_from(from), given.cell_to(to));
     let loads = given.load_inside(from, to) + given.bent(first, from, 3) - given.bent(last, to, 3);
@@ -103,7 +103,7 @@ pub(super) fn zone_force(given: &PiecewiseScene, from: f64, to: f64) -> f64 {
     loads + given.tension * (given.derivative(last, to, 1) - given.derivative(first, from, 1))
 }
 
-/// What is left of the load when reactions and contact forces are taken off.
+/// The equilibrium residual: the load less reactions and contact forces.
 pub(super) fn unbalanced(given: &PiecewiseScene, list: &List, forces: &[f64]) -> f64 {
     let zones = list.zones().map(|zone| zone_force(given, zone.from, zone.to));
     let at_supports: f64 = given.supports.iter().map(|support| given.breakpoints[support.breakpoint].force).sum();
@@ -113,10 +113,10 @@ pub(super) fn unbalanced(given: &PiecewiseScene, list: &List, forces: &[f64]) ->
     carried - pairs().filter(of(false)).map(|(_, force)| force).sum::<f64>() - zones.sum::<f64>()
 }
 
-/// By how much the ground and the support `index` would have to pull at each other, if `jump` is the moment to the right of the
-/// support less that to its left. Ground on the right of a support pushes up there and the support down: a negative jump; ground
-/// on the left a positive one. [`None`] where ground holds the slope on neither side, or could on both, and where the beam is built
-/// in: that takes any moment.
+/// The moment by which the foundation and the support `index` would require tension between them; `jump` is the moment to the right of
+/// the support less the moment to its left. A foundation to the right pushes the beam up and the support pulls it down: the jump is
+/// negative. To the left it is positive. [`None`] if the foundation fixes the slope on neither side, or could on both, and for a
+/// built-in support, which takes any moment.
 pub(super) fn pulling_couple(given: &PiecewiseScene, index: usize, rests: [bool; 2], jump: f64) -> Option<f64> {
     let support = &given.supports[index];
     let pinned = rests.iter().position(|&rests| rests)?;

@@ -1,4 +1,4 @@
-//! The stretches of the beam between its contacts, and extremes on a stretch of it.
+//! The stretches of the beam between its contacts, and extremes on such a stretch.
 
 use super::exact::Exact;
 use super::piece::Piece;
@@ -6,24 +6,23 @@ use super::summary;
 use crate::scene::{Beam, Scale};
 use crate::state::Extremes;
 
-/// A stretch of the beam without contact: between two contacts, or from one to an end of the beam. Supports that hold the beam may stand
-/// in it.
+/// A stretch of the beam without contact: between two contacts, or between a contact and an end of the beam. It may contain supports.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FreeSpan {
     /// Left end \[length\].
     pub from: f64,
     /// Right end \[length\].
     pub to: f64,
-    /// Its clearance; [`None`] where there is no foundation \[length\].
+    /// Extremes of the clearance; [`None`] without a foundation \[length\].
     pub clearance: Option<Extremes>,
-    /// `w0 + v` at the largest clearance, positive downwards; [`None`] where there is no foundation \[length\].
+    /// `w0 + v` at the largest clearance, positive downwards; [`None`] without a foundation \[length\].
     pub position: Option<f64>,
-    /// Its moments, positive with the underside in tension \[force · length\].
+    /// Extremes of the moment, positive with the underside in tension \[force · length\].
     pub moment: Extremes,
 }
 
 impl Exact {
-    /// The stretches of this beam without contact, from left to right: neither do they press, nor does the beam lie there.
+    /// The stretches of this beam without contact, from left to right: the beam neither presses nor touches there.
     #[must_use]
     pub fn free_spans(&self, beam: &Beam) -> Vec<FreeSpan> {
         let shape = |x: f64| beam.shape().map_or(0.0, |shape| shape.depth(x));
@@ -44,14 +43,14 @@ impl Exact {
         spans
     }
 
-    /// The greatest and the least clearance from `from` to `to`, each an end of the beam or of a contact; at a step the values of
-    /// both sides count. Zero without a foundation \[length\].
+    /// The greatest and the least clearance from `from` to `to`, each an end of the beam or of a contact; at a step the values of both
+    /// sides count. Zero without a foundation \[length\].
     #[must_use]
     pub fn clearance_extremes(&self, from: f64, to: f64) -> Extremes {
         self.clearance_above_ground(from, to).unwrap_or_default()
     }
 
-    /// The same; [`None`] if there is nowhere a foundation.
+    /// The same extremes; [`None`] if the beam has no foundation on the stretch.
     fn clearance_above_ground(&self, from: f64, to: f64) -> Option<Extremes> {
         if !self.given.founded {
             return None;
@@ -76,7 +75,8 @@ impl Exact {
         bent.in_units(self.stiffness * self.scale.moment(), length)
     }
 
-    /// The pieces of the beam from `from` to `to`, in the units of the scene; of one that reaches beyond, its cells inside.
+    /// The pieces of the beam from `from` to `to`, in the units of the scene. A piece that extends beyond is replaced by its cells
+    /// inside.
     fn pieces_between(&self, from: f64, to: f64) -> Vec<Piece> {
         let [from, to] = [from, to].map(|x| x / self.scale.length);
         let inside = |piece: &Piece| {
@@ -86,7 +86,7 @@ impl Exact {
         let first = self.pieces.partition_point(|piece| piece.hi < from);
         let mut pieces = Vec::new();
         for piece in self.pieces[first..].iter().take_while(|piece| piece.lo <= to) {
-            // Places in the units of the scene are those of pieces but for rounding.
+            // Converted positions match the ends of pieces only to rounding.
             let ends = [0, piece.count() - 1].map(|k| piece.part(&self.given, k, k));
             if ends.iter().all(inside) {
                 pieces.push(*piece);

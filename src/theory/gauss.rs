@@ -26,10 +26,10 @@ impl Gauss {
     }
 }
 
-/// Node `i` of `n` and its weight: a root of the Legendre polynomial by Newton's method from Tricomi's estimate.
+/// Node `i` of `n` and its weight: a root of the Legendre polynomial, by Newton's method from Tricomi's estimate.
 #[expect(clippy::cast_precision_loss, reason = "a rule has few nodes")]
 fn node(n: usize, i: usize) -> (f64, f64) {
-    /// Newton's method doubles the two digits of the estimate each time: 4, 8, 16, and once more.
+    /// Each step doubles the two correct digits of the estimate: 4, 8, 16, and one step more.
     const STEPS: usize = 5;
     let order = n as f64;
     let mut x = -libm::cos(std::f64::consts::PI * (i as f64 + 0.75) / (order + 0.5));

@@ -1,14 +1,15 @@
-//! Supports that give: what they do to the beam, and which of those that only push are pressed.
+//! Elastic supports: their forces on the beam, and which compression-only ones are pressed.
 //!
-//! A spring that acts is a place of a chain ([`super::divided`]). Which of those that only push do so is found by a loop on their set:
+//! An active spring is a division point of a chain ([`super::divided`]). A loop on the set of active compression-only springs finds the
+//! pressed ones:
 //!
 //! ```text
-//! B ← all;    repeat  v ← the beam on B and the springs that hold both ways;  B ← B − { R < 0 } + { v > d },    until B stays
+//! B ← all;    repeat  v ← the beam on B and the two-way springs;  B ← B − { R < 0 } + { v > d },    until B stays
 //! ```
 //!
-//! From all of them on, the beam is held by more than it needs. All on the wrong side are exchanged at once as long as fewer become wrong,
-//! and then one at a time, the last: of a linear problem that comes to an end (Murty 1974). With contact it is linear by parts only, and
-//! the work has a limit.
+//! Starting with all of them, the beam has more supports than it needs. All springs on the wrong side are exchanged at once as long as
+//! their number falls. After that they are exchanged one at a time, the last one first, which terminates for a linear problem (Murty
+//! 1974). With contact the problem is only piecewise linear, so the work is limited.
 
 use super::check::{Check, TOLERANCE};
 use super::exact::Exact;
@@ -22,22 +23,22 @@ use super::violation::Violation;
 use crate::scene::Scene;
 use crate::state::Contact;
 
-/// All on the wrong side are exchanged so often without a better set than any before. *Tuned*: any small number will do, since one at a
-/// time follows.
+/// Number of exchanges of all wrong springs at once without a better set than before. *Tuned*: any small number will do, since single
+/// exchanges follow.
 const PATIENCE: usize = 3;
 
-/// What a support that gives does to the beam.
+/// Force and couple of an elastic support on the beam.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct SpringState {
     /// `R`, upwards.
     pub(super) force: f64,
-    /// By how much `M` jumps because of it.
+    /// The jump of `M` that the support causes.
     pub(super) couple: f64,
     /// `M` just to the left and just to the right of it.
     pub(super) moments: [f64; 2],
 }
 
-/// Of the supports that give, what each does; `spans` are those of the list.
+/// The state of each elastic support; `spans` are the spans of the list.
 pub(super) fn states(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Vec<SpringState> {
     let most = |order: usize| {
         let ends = spans.iter().flat_map(|(_, span)| [span.beam_a[order], span.beam_b[order]]);
@@ -47,7 +48,7 @@ pub(super) fn states(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)
     given.springs.iter().map(|spring| state(given, list, spans, spring, most)).collect()
 }
 
-/// The same of one, with the size of deflections and slopes, of which rounding is a share.
+/// The state of one elastic support; `most` are the largest deflection and slope, of which rounding is a share.
 fn state(
     given: &PiecewiseScene,
     list: &List,
@@ -68,7 +69,7 @@ fn state(
     let node = nodes.get(next).filter(|node| is_here(node.x)).map(|_| next);
     let zone = node.is_none() && list.in_zone_before(next);
     let (left, right) = (before.map(|span| span.beam_b), after.map(|span| span.beam_a));
-    // Where the beam lies on the ground on a side, it is the ground.
+    // Where the beam is in contact on a side, its deflection is the gap.
     let cells = given.cells_beside(spring.breakpoint);
     let on_ground = [0, 1].map(|side| {
         let lies = zone || node.is_some_and(|node| list.in_zone_before(node + side));
@@ -88,7 +89,7 @@ fn state(
         let jump = moments[1] - moments[0] + at.couple;
         let size = moments[0].abs() + moments[1].abs() + at.couple.abs();
         match node {
-            // The digits of a slope beyond its number, of one that is free.
+            // This includes the low-order part of a free slope.
             Some(node) => at.couple - nodes[node].couple(given),
             None => exerted(-k, [slope, without], jump, [most[1], if zone { f64::INFINITY } else { size }]),
         }
@@ -96,19 +97,20 @@ fn state(
     SpringState { force, couple, moments }
 }
 
-/// The vertical forces `V + N v'` beside a breakpoint, nothing beyond the ends of the beam; without `N v'` where the slope is one.
+/// The vertical forces `V + N v'` next to a breakpoint, zero beyond the ends of the beam; without `N v'` where the slope is continuous.
 fn vertical(given: &PiecewiseScene, at: &Breakpoint, sides: [Option<[f64; 4]>; 2]) -> [f64; 2] {
     let turns = given.tension != 0.0 && (at.x <= 0.0 || given.length <= at.x || at.joint != 0.0);
     sides.map(|side| side.map_or(0.0, |beam| if turns { given.tension * beam[1] - beam[3] } else { -beam[3] }))
 }
 
-/// What a spring exerts: either from how far it gives, or from what jumps. Of a stiff one the former has no digits, of a soft one the latter,
-/// the difference of numbers of this `size`; of what is given rounding is a share of the `most` that there is.
+/// The force of a spring, from its displacement or from the jump of the shear force. The displacement of a stiff spring has no digits,
+/// nor has the jump at a soft one, which is the difference of numbers of this `size`. Rounding of the displacement is a share of
+/// `most`.
 pub(super) fn exerted(k: f64, [given, without]: [f64; 2], jump: f64, [most, size]: [f64; 2]) -> f64 {
     if k.abs() * (most + without.abs()) <= size { k * (given - without) } else { jump }
 }
 
-/// Of the supports that only push, those that would have to pull, and those that the beam would be below, each with its index.
+/// The compression-only springs that would be in tension, and the inactive ones that the beam would penetrate, each with its index.
 pub(super) fn wrong(given: &PiecewiseScene, checked: &Check) -> Vec<(usize, Violation)> {
     let (nothing, force) = (checked.nothing().depth, checked.largest_force());
     let fault = |(i, spring): (usize, &AtSpring)| {
@@ -129,18 +131,18 @@ pub(super) fn wrong(given: &PiecewiseScene, checked: &Check) -> Vec<(usize, Viol
     given.springs.iter().enumerate().filter_map(fault).collect()
 }
 
-/// A scene with those of its supports that only push and give as springs that it presses, and the answer that `find` finds for it, from the
-/// list of another set where there is one; `acts` is a set to begin with.
+/// Finds the pressed compression-only springs: returns the scene with them, and the answer of `find` for it. `find` starts from the
+/// list of the previous set, if there is one; `acts` is the first set.
 ///
 /// # Errors
 ///
-/// Those of `find`.
+/// The errors of `find`.
 pub(super) fn search_with(
     scene: &Scene,
     acts: Option<Vec<bool>>,
     mut find: impl FnMut(&PiecewiseScene, Option<&List>) -> Result<Candidate, TheoryError>,
 ) -> Result<(PiecewiseScene, Candidate), TheoryError> {
-    /// Sets that are tried at most for each of the supports, and besides.
+    /// Maximum number of sets: per compression-only spring, and in addition.
     const MOST: [usize; 2] = [3, 20];
     let mut given = PiecewiseScene::new(scene);
     if let Some(acts) = acts.filter(|acts| acts.len() == given.springs.len()) {
@@ -170,11 +172,11 @@ pub(super) fn search_with(
     }
 }
 
-/// Which sets of pressed supports are tried.
+/// The sequence of sets of pressed springs.
 struct Sets {
     fewest: usize,
     patience: usize,
-    /// The last set that has an answer, what is wrong with it, and how many of these were exchanged alone.
+    /// The last set that has an answer, its wrong springs, and how many of these were exchanged alone.
     last: Option<(Vec<bool>, Vec<usize>, usize)>,
 }
 
@@ -182,7 +184,7 @@ impl Sets {
     /// The next set; false if there is none.
     fn next(&mut self, acts: &mut Vec<bool>, wrong: &[(usize, Violation)], solved: bool) -> bool {
         if let Some((last, wrong, alone)) = self.last.as_mut().filter(|_| !solved) {
-            // Without them nothing holds the beam: one of them alone.
+            // Without the removed springs the beam is not supported: exchange only one of them.
             acts.clone_from(last);
             *alone += 1;
             return wrong.len().checked_sub(*alone).map(|i| acts[wrong[i]] = !acts[wrong[i]]).is_some();
@@ -202,28 +204,28 @@ impl Sets {
 }
 
 impl Exact {
-    /// Which of the supports that give act.
+    /// For each elastic support, whether it acts.
     pub(super) fn acting(&self) -> Vec<bool> {
         self.given.springs.iter().map(|spring| spring.acts).collect()
     }
 
-    /// Whether a support that gives is at a place \[length\].
+    /// Whether there is an elastic support at a position \[length\].
     pub(super) fn gives(&self, x: f64) -> bool {
         let next = self.given.springs.partition_point(|spring| self.place(spring.breakpoint) < x);
         self.given.springs.get(next).is_some_and(|spring| self.place(spring.breakpoint).total_cmp(&x).is_eq())
     }
 
-    /// How many of those that only push are before breakpoint `i`.
+    /// Number of elastic compression-only supports before breakpoint `i`.
     pub(super) fn stops_before(&self, i: usize) -> usize {
         self.given.springs.iter().filter(|spring| spring.pushes_only && spring.breakpoint < i).count()
     }
 
-    /// Where breakpoint `i` is \[length\].
+    /// Position of breakpoint `i` \[length\].
     pub(super) fn place(&self, i: usize) -> f64 {
         self.given.breakpoints[i].x * self.scale.length
     }
 
-    /// Of the supports that give the force, and by how much the moment jumps because of it \[force, force · length\].
+    /// For each elastic support its force and the jump of the moment that it causes \[force, force · length\].
     pub(crate) fn sprung(&self) -> Vec<[f64; 2]> {
         let at = |spring: &AtSpring| {
             let place = self.place(spring.breakpoint);
@@ -234,8 +236,8 @@ impl Exact {
         self.given.springs.iter().map(at).collect()
     }
 
-    /// The places of its contacts and of the supports that press, and those of its list besides that do not: from these a certificate is
-    /// proven.
+    /// The candidate contact list for a certificate: the contacts and the pressed supports, and the contacts of the list that do not
+    /// press.
     pub(crate) fn witness(&self) -> Vec<Contact> {
         let is_in = |c: &Contact| self.idle.iter().any(|idle| idle.from <= c.from && c.to <= idle.to);
         let is_contact = |c: &Contact| !is_in(c) && (!self.gives(c.from) || self.state.contacts.contains(c));

@@ -1,7 +1,6 @@
-//! The first idea of a list of contacts: samples of the profile, the chain above them, and the points and zones where it
-//! touches.
+//! The first contact list: samples of the profile, the chain above them, and the points and zones where the chain touches.
 //!
-//! Samples are few where nothing touches, and are refined where the chain lifts off and where a list failed its check.
+//! Samples are few where nothing touches. They are refined where the chain lifts off and where a list failed its check.
 
 mod turned;
 
@@ -13,40 +12,40 @@ use super::normal::{edge_node, merged};
 use super::piecewise::{Breakpoint, PiecewiseScene};
 use super::pull::zones_between;
 
-/// Sampled places of the profile, from end to end.
+/// Sampled positions of the profile, from end to end.
 #[derive(Debug, Clone)]
 pub(super) struct Samples {
-    /// Where.
+    /// Positions.
     x: Vec<f64>,
-    /// The cell to the right of each.
+    /// The cell to the right of each sample.
     cell: Vec<usize>,
-    /// True for a link that is far from contact; link `i` starts at sample `i`.
+    /// Whether each link is far from contact; link `i` starts at sample `i`.
     far: Vec<bool>,
 }
 
-/// A profile of more cells than this is sampled at the shallowest places of as many blocks first: 38,000 samples of a
-/// chain take 0.11 s.
+/// Number of cells above which a profile is first sampled at the shallowest positions of as many blocks: 38,000 samples of a chain take
+/// 0.11 s.
 pub(super) const LONG: usize = 4000;
-/// Parts into which a link near a lift-off point is cut. With half of them no fewer of 700 random and hostile scenes are certified.
+/// Number of parts of a link near a lift-off position. With half of them no fewer of 700 random and hostile scenes are certified.
 const PARTS: u32 = 4;
-/// Cells that links of several cells are cut into at most where contacts are few; where there are more of them, it is at the
-/// shallowest places of blocks again. *Tuned* on rough ground of 10⁶ points with hundreds of contacts, which are at such places.
+/// Maximum number of cells into which coarse links are divided where contacts are few; above it the shallowest positions of blocks are
+/// used again. *Tuned* on a rough foundation of 10⁶ points with hundreds of contacts, which are at such positions.
 const MOST_CELLS: usize = 50_000;
-/// Contacts are few where no more than one in so many samples touches, and no more than one in so many of these has a neighbour that
-/// does. *Tuned* on the same, which touches at one sample in fourteen, and on smooth ground, where neighbours touch under any load: many
+/// Contacts are few if at most one in this many samples touches, and at most one in this many of those has a touching neighbour.
+/// *Tuned* on the same, which touches at one sample in fourteen, and on smooth foundations, where neighbours touch under any load: many
 /// contacts are close together there, and the list of so coarse a guess leads nowhere.
 const FEW: usize = 4;
-/// Parts of each cell where several cells were one link: a beam may touch at breaks, and in between.
+/// Number of parts of each cell of a link of several cells: a beam may touch at breaks and between them.
 const PARTS_OF_CELL: u32 = 3;
 
 impl Samples {
-    /// All breakpoints, and cells cut into parts no longer than a fraction 1/`links` of the beam; of a long survey the
-    /// shallowest breakpoint of each block, and where the load changes.
+    /// All breakpoints, with cells divided into parts no longer than 1/`links` of the beam. For a long survey, the shallowest
+    /// breakpoint of each block and the positions where the load changes.
     pub(super) fn first(given: &PiecewiseScene, links: u32) -> Self {
         let cells = given.cells.len();
         let mut samples = Self::with_room_for(cells.min(LONG) + links as usize);
         if !given.founded {
-            // Beams from breakpoint to breakpoint: nothing can be touched in between.
+            // Links are beams from breakpoint to breakpoint: there is nothing to touch between them.
             (0..cells).for_each(|i| samples.push(given.cells[i].lo, i, true));
         } else if cells <= LONG {
             let aim = given.length / f64::from(links);
@@ -76,7 +75,7 @@ impl Samples {
         }
         let mut refined = Self::with_room_for(2 * n);
         let coarse = |i: usize| given.cells[self.cell[i]].hi < self.x[i + 1];
-        // Beside a link of many cells the contact is known to within a block or two.
+        // Next to a link of many cells the contact position is known only to one or two blocks.
         let reach = |i: usize| if coarse(i) { 2 } else { 0 };
         let is_close = |i: usize| (i.saturating_sub(reach(i))..=(i + 1 + reach(i)).min(n - 1)).any(|j| near[j]);
         let cells = |i: usize| self.cell[i]..given.cell_to(self.x[i + 1]) + 1;
@@ -124,7 +123,7 @@ impl Samples {
         self.far.push(far);
     }
 
-    /// The shallowest breakpoint of each block of so many of these, and where the load changes or a support is.
+    /// Adds the shallowest breakpoint of each block of `block` breakpoints, and those with a change of load or beam, or with a support.
     fn take_shallowest(&mut self, given: &PiecewiseScene, breakpoints: Range<usize>, block: usize) {
         let end = breakpoints.end;
         for first in breakpoints.step_by(block) {
@@ -137,7 +136,7 @@ impl Samples {
         }
     }
 
-    /// The start of a link in `cell` and the places that cut it into equal parts.
+    /// Adds the start of a link in `cell` and the positions that divide it into equal parts.
     fn cut(&mut self, cell: usize, [lo, hi]: [f64; 2], parts: u32, far: bool) {
         self.push(lo, cell, far);
         for part in 1..parts {
@@ -148,7 +147,7 @@ impl Samples {
         }
     }
 
-    /// The right end.
+    /// Adds the right end.
     fn end(&mut self, given: &PiecewiseScene) {
         self.x.push(given.length);
         self.cell.push(given.cells.len() - 1);
@@ -159,7 +158,7 @@ impl Samples {
         }
     }
 
-    /// The breakpoint at which sample `i` is, if it is at one.
+    /// The breakpoint at sample `i`, if there is one.
     fn breakpoint(&self, given: &PiecewiseScene, i: usize) -> Option<usize> {
         if i + 1 == self.x.len() {
             return Some(given.cells.len());
@@ -168,7 +167,7 @@ impl Samples {
         (self.x[i] <= given.breakpoints[breakpoint].x).then_some(breakpoint)
     }
 
-    /// The support at which sample `i` is, if it is at one.
+    /// The support at sample `i`, if there is one.
     fn support(&self, given: &PiecewiseScene, i: usize) -> Option<usize> {
         given.support_at(self.breakpoint(given, i)?)
     }
@@ -178,7 +177,7 @@ impl Samples {
         self.x.len()
     }
 
-    /// Which of the samples touch, and with what force.
+    /// The touching samples and their forces.
     pub(super) fn chain(&self, given: &PiecewiseScene) -> Guess {
         let mut samples: Vec<ChainSample> = (0..self.x.len()).map(|i| self.chain_sample(given, i)).collect();
         for i in 0..self.far.len() {
@@ -189,7 +188,7 @@ impl Samples {
                 let c = &given.cells[cell];
                 let (lo, hi) = (c.lo.max(a), c.hi.min(b));
                 let (start, end, width) = (given.load(cell, lo), given.load(cell, hi), hi - lo);
-                // Resultant and lever of a trapezium.
+                // Resultant and first moment of a trapezium.
                 let force = 0.5 * width * (start + end);
                 let lever = width * width * (start + 2.0 * end) / 6.0 + force * (lo - a);
                 samples[i].load += force - lever / length;
@@ -227,7 +226,7 @@ impl Samples {
         self.solve(given, &mut samples)
     }
 
-    /// Sample `i` as one of the chain, before bend and load are known.
+    /// Sample `i` of the chain, before bend and load are known.
     fn chain_sample(&self, given: &PiecewiseScene, i: usize) -> ChainSample {
         let held = self.support(given, i).map(|support| given.supports[support].clearance[1]);
         let open =
@@ -243,7 +242,7 @@ impl Samples {
         }
     }
 
-    /// The chains between the built-in supports, each for itself: nothing passes from one to the other.
+    /// Solves the chains between built-in supports one by one: they do not influence each other.
     fn solve(&self, given: &PiecewiseScene, samples: &mut [ChainSample]) -> Guess {
         let last = samples.len() - 1;
         let built_in = |i: usize| self.support(given, i).and_then(|support| given.supports[support].slope);
@@ -251,7 +250,7 @@ impl Samples {
         let mut from = 0;
         for to in (1..=last).filter(|&i| i == last || built_in(i).is_some()) {
             let slopes = [from, to].map(built_in);
-            // A support between two chains has the bend of either of them in its turn.
+            // A support between two chains uses the bend of the chain that is solved.
             if let Some(slope) = slopes[0] {
                 let x = self.x[from];
                 samples[from].bend = samples[from].sides[1] + (given.derivative(given.cell_from(x), x, 1) - slope);
@@ -266,7 +265,7 @@ impl Samples {
                 tension: given.tension,
             };
             let Guess { touches, force } = chain.solve();
-            // Neither of them touches with the support between them.
+            // Both chains end at the support between them, and neither touches there.
             guess.touches.truncate(from);
             guess.force.truncate(from);
             guess.touches.extend(touches);
@@ -276,17 +275,17 @@ impl Samples {
         guess
     }
 
-    /// The list that the chain suggests.
+    /// The contact list that the chain suggests.
     pub(super) fn list(&self, given: &PiecewiseScene, guess: &Guess) -> List {
         let mut builder = Builder { given, samples: self, guess, nodes: Vec::new(), clamped: false };
         let last = self.x.len() - 1;
-        // A run of touching samples falls apart at every break of the profile.
+        // A run of touching samples is split at every break of the profile.
         let mut first = None;
         for i in 0..=last + 1 {
             let touches = i <= last && guess.touches[i];
             let breakpoint = if i <= last { self.breakpoint(given, i) } else { None };
             let breaks = |b: usize| given.breaks_at(b) || given.is_free_end(b) && !given.is_flat_end(b);
-            // A joint alone is an edge; in contact on level ground it changes nothing.
+            // A single touching joint is an edge; within a contact on a level foundation it has no effect.
             let beside = |j: Option<usize>| j.and_then(|j| guess.touches.get(j)).is_some_and(|touches| *touches);
             let alone = !(beside(i.checked_sub(1)) && beside(Some(i + 1)));
             let breaks = |b: usize| breaks(b) || given.breakpoints[b].joint != 0.0 && alone;
@@ -309,7 +308,7 @@ impl Samples {
     }
 }
 
-/// True if samples touch here and there, and not next to each other.
+/// Whether only isolated samples touch, with few touching neighbours.
 fn are_few(touches: &[bool]) -> bool {
     let count = touches.iter().filter(|&&touches| touches).count();
     let beside = touches.windows(2).filter(|pair| pair[0] && pair[1]).count();
@@ -322,7 +321,7 @@ struct Builder<'a> {
     samples: &'a Samples,
     guess: &'a Guess,
     nodes: Vec<Node>,
-    /// True if the ground holds the slope at the next support.
+    /// Whether the foundation fixes the slope at the next support.
     clamped: bool,
 }
 
@@ -373,7 +372,7 @@ impl Builder<'_> {
         }
     }
 
-    /// Where the force of a run acts.
+    /// The centre of the forces of a run.
     fn point(&self, run: Range<usize>) -> f64 {
         let x = &self.samples.x;
         let (force, moment) =
@@ -381,8 +380,8 @@ impl Builder<'_> {
         moment / force
     }
 
-    /// Where the concentrated force at the end of a zone acts, from the end samples of its run: what they have more than
-    /// the pressure at the innermost of them.
+    /// The position of the concentrated force at the end of a zone, from the outermost samples of its run: the centre of their forces
+    /// in excess of the pressure at the innermost one.
     fn lift_off(&self, samples: impl Iterator<Item = usize>) -> f64 {
         let x = &self.samples.x;
         let samples: Vec<usize> = samples.collect();

@@ -1,9 +1,10 @@
-//! How far an answer is from failing: a small change of a number that reaches no condition needs no second answer.
+//! The margin of an answer before a condition fails: a small change of a number that reaches no condition needs no second answer.
 //!
-//! To the first order a change moves the nodes and the beam as module `sensitivity` says. A condition that is farther off than twice as
-//! much still holds. Here are the plain ones: supports, which hold in any case, contacts that press at a fixed place, and spans that are
-//! clear of everything below them. Where a contact can move, or a span begins on the ground, the change has to be rounding there, as it
-//! is from a few dozen supports on. All others are for a second answer, as are numbers that change all of the beam.
+//! To the first order, module `sensitivity` gives the changes of nodes and beam. A condition is still satisfied if its margin is more
+//! than twice the change. This module covers the simple conditions: supports, which always hold; contacts that press at a fixed
+//! position; and spans that are clear of everything below them. Where a contact can move, or a span begins on the foundation, the
+//! change must be rounding, as it is at a distance of a few dozen supports. All other cases need a second answer, as do numbers that
+//! change the whole beam.
 
 use super::exact::Exact;
 use super::list::Node;
@@ -13,26 +14,26 @@ use super::sensitivity::{Change, NodeChange};
 use super::span::Span;
 use crate::scene::Scene;
 
-/// A change counts so many times: what it is beyond the first order is far less than the change itself.
+/// Safety factor of a change: terms beyond the first order are far smaller than the change itself.
 const SAFE: f64 = 2.0;
 
-/// A share of the largest deflection, moment, force or length that is rounding: a millionth of what a condition may be violated by.
+/// Rounding as a share of the largest deflection, moment, force or length: a millionth of the tolerance of a condition.
 const ROUNDING: f64 = 1e-6 * super::check::TOLERANCE;
 
-/// A place may move by this share of the distance to the next one for the first order to be enough.
+/// Largest movement for which the first order is enough, as a share of the distance to the next position.
 const NEAR: f64 = 1e-2;
 
-/// The margin against overturning, a share of the distance of what carries the beam, from which no small change reaches it.
+/// Smallest overturning margin that no small change can use up, as a share of the distance between the positions that carry the beam.
 const STANDS: f64 = 1e-2;
 
-/// What is asked of a node.
+/// The condition at a node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
-    /// Nothing: a support that holds the beam.
+    /// None: a support that holds the beam.
     Holds,
-    /// That it presses, at its place.
+    /// The node presses, at its fixed position.
     Presses,
-    /// More than that: it can move, or the ground holds the slope of the beam.
+    /// More than that: the node can move, or the foundation fixes the slope of the beam.
     Rests,
 }
 
@@ -51,22 +52,22 @@ impl Kind {
 struct Free {
     /// Index of the node to its right.
     node: usize,
-    /// From where to where.
+    /// Both ends.
     ends: [f64; 2],
     overhangs: bool,
-    /// The least clearance in it, zero where it begins or ends on the ground.
+    /// The least clearance in it, zero if it begins or ends on the foundation.
     clearance: f64,
 }
 
-/// How far the conditions of an answer are from failing; all numbers are dimensionless.
+/// The margins of all conditions of an answer; all numbers are dimensionless.
 #[derive(Debug)]
 pub(super) struct Leeway<'a> {
     exact: &'a Exact,
     kinds: Vec<Kind>,
     spans: Vec<Free>,
-    /// Where supports and the ends of the beam are, from left to right.
+    /// Positions of the supports and of the ends of the beam, from left to right.
     places: Vec<f64>,
-    /// Below each support that only pushes and does not press: `v` to the support, and the slope of the beam.
+    /// For each rigid compression-only support that is not in contact: the clearance to the support, and the slope of the beam.
     lifted: Vec<Option<[f64; 2]>>,
     deflection: f64,
     moment: f64,
@@ -74,8 +75,8 @@ pub(super) struct Leeway<'a> {
 }
 
 impl<'a> Leeway<'a> {
-    /// Of an answer of `scene`. [`None`] if nothing is known without a second answer: of a beam with a shape of its own, and one that
-    /// nothing holds down and that may turn over soon.
+    /// The margins of an answer of `scene`. [`None`] if a second answer is always needed: for an answer that is not solved, for a beam
+    /// with an initial shape or on an elastic foundation, and close to overturning.
     pub(super) fn of(exact: &'a Exact, scene: &Scene) -> Option<Self> {
         let (given, scale) = (&exact.given, &exact.scale);
         let stands = exact.state.standing.is_none_or(|standing| standing.motion.is_none() && STANDS <= standing.margin);
@@ -109,8 +110,8 @@ impl<'a> Leeway<'a> {
         })
     }
 
-    /// True if the contacts of the answer are sure to hold, and forces to stay within `near` of the largest, as a number changes by `step`
-    /// to either side; `changes` are those of the nodes for a unit of it.
+    /// Whether the contacts of the answer are certain to remain, with changes of forces up to `near` of the largest, when a number
+    /// changes by `step` to either side; `changes` are the changes of the nodes per unit of the number.
     pub(super) fn holds(&self, of: Change, changes: &[NodeChange], step: f64, near: f64) -> bool {
         self.has_room(of, step)
             && changes.iter().enumerate().all(|(i, change)| {
@@ -119,14 +120,14 @@ impl<'a> Leeway<'a> {
             && self.spans.iter().all(|free| self.stays_clear(of, free, changes, step))
     }
 
-    /// True if what moves has room to do so, and there are scenes on both sides.
+    /// Whether the changed load or support has room to move, so that there are scenes on both sides.
     fn has_room(&self, of: Change, step: f64) -> bool {
         let given = &self.exact.given;
         let index = match of {
             Change::Force(..) => return true,
             Change::Move(at, _) => return step < at && at + step < given.length,
             Change::Level(index) | Change::Support(index, _) => index,
-            // These change all of the beam.
+            // These change the whole beam.
             Change::Ground | Change::GroundUnder(..) | Change::Unload | Change::Stiffen | Change::Uniform(_) => {
                 return false;
             }
@@ -141,7 +142,7 @@ impl<'a> Leeway<'a> {
         if moves && !is_inside {
             return false;
         }
-        // The ground stays below a support, and a beam that is off a support above it.
+        // The foundation has to remain below the support, and a beam without contact above it.
         let Some(bearing) = bearing else { return true };
         let above = !given.founded
             || given.cells_beside(breakpoint).iter().all(|&cell| {
@@ -153,7 +154,7 @@ impl<'a> Leeway<'a> {
                 .is_none_or(|[clearance, slope]| SAFE * step * if moves { slope.abs() } else { 1.0 } < clearance)
     }
 
-    /// True if what is asked of a node holds.
+    /// Whether the condition at a node remains satisfied.
     #[expect(clippy::float_cmp, reason = "a load at a node is exactly there")]
     fn node_holds(&self, of: Change, i: usize, change: &NodeChange, step: f64) -> bool {
         let (given, x) = (&self.exact.given, self.exact.list.nodes[i].x);
@@ -171,7 +172,7 @@ impl<'a> Leeway<'a> {
         }
     }
 
-    /// True if a span stays clear of all that is below it.
+    /// Whether a span remains clear of everything below it.
     fn stays_clear(&self, of: Change, free: &Free, changes: &[NodeChange], step: f64) -> bool {
         if free.clearance == f64::INFINITY {
             return true;
@@ -192,8 +193,8 @@ impl Free {
         Self { node, ends: [span.a.x, span.b.x], overhangs: span.is_overhang(), clearance }
     }
 
-    /// No more than this is the change `w` of the deflection in it. Between two nodes `|w|` is at most that of the chord with
-    /// `4/27 ℓ (|φ_a| + |φ_b|)` of the slopes from it, and with `P ℓ³/192` of a load, or as much as `P ℓ²/27` where one moves.
+    /// Upper bound of the change `w` of the deflection in the span. Between two nodes `|w|` is at most the change of the chord plus
+    /// `4/27 ℓ (|φ_a| + |φ_b|)` for the slopes relative to it, plus `P ℓ³/192` for a load, or `P ℓ²/27` for a load that moves.
     fn most(&self, of: Change, changes: &[NodeChange]) -> f64 {
         let [from, to] = self.ends;
         let l = to - from;
@@ -221,7 +222,7 @@ mod tests {
     use crate::scene::{Beam, Foundation, Load, PointLoad, Support};
     use crate::theory;
 
-    /// Supports of a few levels at every unit, with some that only push, loads between some of them, and ground.
+    /// Supports of a few levels at every unit, some of them compression-only, with loads between some of them, and a foundation.
     fn scene(fields: u32, ground: Option<Foundation>) -> Scene {
         let level = |i: u32| 0.004 * f64::from(i * i % 7);
         let support = |i: u32| match i % 9 {
@@ -235,7 +236,7 @@ mod tests {
         Scene::new(beam, load, ground).expect("a scene")
     }
 
-    /// The ground is far below, or comes up to the beam in the middle.
+    /// Without a foundation, with one far below, and with one that reaches the beam at midspan.
     fn scenes(fields: u32) -> [Scene; 3] {
         let middle = f64::from(fields) / 2.0 + 0.45;
         let points =
@@ -243,7 +244,7 @@ mod tests {
         [None, Some(Foundation::Flat { depth: 1.0 }), Some(Foundation::Polyline { points })].map(|g| scene(fields, g))
     }
 
-    /// What is decided without a second answer, of all numbers of a scene: that and what second answers say.
+    /// Numbers of a scene decided without a second answer, and those that need one; checks the decisions against second answers.
     fn decided(scene: &Scene) -> (usize, usize) {
         let exact = theory::solve(scene).expect("an answer");
         assert!(exact.solved, "{:?}", exact.violations);
@@ -257,7 +258,7 @@ mod tests {
         (decided.len(), all.len() - decided.len())
     }
 
-    /// What holds without a second answer does with one, and of many supports few numbers are for a second answer, however many there are.
+    /// Decisions without a second answer agree with second answers. With many supports, the number of second answers does not grow.
     #[test]
     fn of_many_supports_few_numbers_take_a_second_answer() {
         let counts = [60, 120, 240].map(|fields| scenes(fields).map(|scene| decided(&scene)));

@@ -1,28 +1,28 @@
-//! The list of nodes from left to right, and the spans that they make: every beam is a free beam, and nodes hold it.
+//! The list of nodes from left to right, and the spans between them: every beam is a free beam that is held by nodes.
 //!
-//! A node is a place at which the beam is held, with what it does to the slope, and whether the beam lies on the ground from there
-//! to the next node. What stands there, a support, an edge or a free end, is said by the scene.
+//! A node is a position at which the beam is held. It has a slope condition, and it says whether the beam is in contact from there to
+//! the next node. The scene says whether the node is a support, an edge or a free end.
 //!
 //! | node | slope | lies | given | unknown | equation | force |
 //! |---|---|---|---|---|---|---|
 //! | support | free | no | `v` | slope | `v''` the same on both sides | of either sign |
-//! | built in | of the support | no | `v`, `v'` | – | – | of either sign, and a couple |
-//! | support on ground at its level | of the ground | either | `v`, `v'` | – | – | of either sign, and a couple |
-//! | edge (kink, step, support that only pushes, a free end that touches) | free | no | `v = g` | slope | `v''` the same on both sides | ≥ 0 |
-//! | smooth point | of the ground | no | `h = h' = 0` | place | `h''` the same on both sides | ≥ 0 |
-//! | start of a zone | of the ground | yes | `h = h' = 0` | place | `h'' = 0` in the span | ≥ 0 |
-//! | end of a zone | of the ground, from its left | no | `h = h' = 0` | place | `h'' = 0` in the span | ≥ 0 |
-//! | free end in a zone | of the ground | left: yes | `h = h' = 0` | – | `g'' = 0` there, or it lifts | ≥ 0 |
+//! | built-in support | of the support | no | `v`, `v'` | – | – | of either sign, and a couple |
+//! | support with the foundation at its level | of the foundation | either | `v`, `v'` | – | – | of either sign, and a couple |
+//! | edge (kink, step, compression-only support, touching free end) | free | no | `v = g` | slope | `v''` the same on both sides | ≥ 0 |
+//! | smooth point | of the foundation | no | `h = h' = 0` | position | `h''` the same on both sides | ≥ 0 |
+//! | start of a zone | of the foundation | yes | `h = h' = 0` | position | `h'' = 0` in the span | ≥ 0 |
+//! | end of a zone | of the foundation, from its left | no | `h = h' = 0` | position | `h'' = 0` in the span | ≥ 0 |
+//! | free end in a zone | of the foundation | left: yes | `h = h' = 0` | – | `g'' = 0` there, or it lifts | ≥ 0 |
 //!
-//! Beyond the outermost nodes the beam hangs over: moment and shear force there follow from its loads. So the outermost node, if
-//! it leaves the slope free, is a hinge with a given moment and has no unknown either. A free end in a zone has none because beside
-//! a zone on straight ground the moment of an overhang vanishes doubly at the free end, and the equation of a place would be
-//! singular. Where springs hold the beam beyond, or one holds the node against turning, statics do not say its moment, and its slope is
+//! Beyond the outermost nodes the beam overhangs: moment and shear force there follow from its loads. So the outermost node, if it
+//! leaves the slope free, is a hinge with a given moment and has no unknown. A free end in a zone has no unknown position: next to a
+//! zone on a straight foundation the moment of an overhang vanishes doubly at the free end, which would make the equation singular. If
+//! springs support the beam beyond the node, or a rotational spring acts at it, statics does not determine its moment, and its slope is
 //! unknown.
 //!
-//! Ground at the level of a support may hold the slope of the beam there: it pushes up next to the support, which pulls down, and
-//! the two are a couple. Of the force at a zone that begins or ends there only the sum with that of the support is unique: the
-//! support is said to take all of it.
+//! A foundation at the level of a support may fix the slope of the beam there: it pushes up next to the support, which pulls down, and
+//! the two forces form a couple. If a zone begins or ends there, only the sum of its force and the support force is unique. All of it
+//! is assigned to the support.
 
 mod spans;
 
@@ -31,34 +31,34 @@ use super::piecewise::PiecewiseScene;
 use super::span::{End, EndCondition};
 use crate::certificate::Slope;
 
-/// What is not known of a node.
+/// The unknown of a node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Unknown {
-    /// Where it is.
+    /// The position.
     Place,
     /// The slope of the beam.
     Slope,
 }
 
-/// A place at which the beam is held.
+/// A position at which the beam is held.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Node {
-    /// Where it is.
+    /// Position.
     pub(super) x: f64,
-    /// Slope `v'` of the beam. At a support at which the beam is built in it is that of the support.
+    /// Condition on the slope `v'` of the beam. At a built-in support the slope is given by the support.
     pub(super) slope: Slope,
-    /// True where the beam lies on the ground from here to the next node.
+    /// Whether the beam is in contact from here to the next node.
     pub(super) lies: bool,
-    /// What its place is beyond `x`, or of a free slope what that is beyond its number, less than a unit in the last place: where
-    /// contacts lie close together, their forces depend on it.
+    /// The low-order part of the position, or of a free slope, which is less than a unit in the last place. The forces of contacts that
+    /// are close together depend on it.
     pub(super) low: f64,
-    /// A cell of the smooth piece of the profile on which it lies; of one that stands at a breakpoint the one to its right.
+    /// A cell of the smooth piece of the profile that contains the node; at a breakpoint the cell to its right.
     pub(super) cell: usize,
-    /// The breakpoint at which it stands; [`None`] if it moves along a smooth piece of the profile.
+    /// The breakpoint of the node; [`None`] if the node moves along a smooth piece of the profile.
     pub(super) breakpoint: Option<usize>,
 }
 
-/// The nodes from left to right, every support among them.
+/// The nodes from left to right, including every support.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct List {
     /// From left to right.
@@ -70,9 +70,9 @@ pub(super) struct List {
 pub(super) struct Zone {
     /// Index of the node to its right.
     pub(super) node: usize,
-    /// Where it starts.
+    /// Start.
     pub(super) from: f64,
-    /// Where it ends.
+    /// End.
     pub(super) to: f64,
 }
 
@@ -82,7 +82,7 @@ impl List {
         Self { nodes: given.supports.iter().map(|support| Node::at(given, support.breakpoint)).collect() }
     }
 
-    /// What is not known of node `i`.
+    /// The unknown of node `i`, if it has one.
     pub(super) fn unknown(&self, given: &PiecewiseScene, i: usize) -> Option<Unknown> {
         let node = self.nodes.get(i)?;
         if node.can_move() {
@@ -108,12 +108,12 @@ impl List {
         (1..self.nodes.len()).filter(|&i| self.in_zone_before(i)).map(zone)
     }
 
-    /// True if the stretch that ends at node `i` is a zone.
+    /// Whether the stretch that ends at node `i` is a zone.
     pub(super) fn in_zone_before(&self, i: usize) -> bool {
         i < self.nodes.len() && i.checked_sub(1).is_some_and(|left| self.nodes[left].lies)
     }
 
-    /// On which sides of node `i` the ground holds the slope of the beam.
+    /// On which sides of node `i` the foundation fixes the slope of the beam.
     pub(super) fn rests(&self, i: usize) -> [bool; 2] {
         let held = |left: bool| self.nodes[i].slope == Slope::OfGround { from_the_left: left };
         [self.in_zone_before(i) || held(true), self.in_zone_before(i + 1) || held(false)]
@@ -121,112 +121,112 @@ impl List {
 }
 
 impl Node {
-    /// A point of contact at `x`, on the smooth piece of the profile that `cell` belongs to.
+    /// A point contact at `x`, on the smooth piece of the profile that `cell` belongs to.
     pub(super) fn touch(x: f64, cell: usize) -> Self {
         Self { x, slope: Slope::OfGround { from_the_left: false }, lies: false, low: 0.0, cell, breakpoint: None }
     }
 
-    /// Where a zone starts.
+    /// The start of a zone.
     pub(super) fn start(x: f64, cell: usize) -> Self {
         Self { lies: true, ..Self::touch(x, cell) }
     }
 
-    /// Where a zone ends.
+    /// The end of a zone.
     pub(super) fn end(x: f64, cell: usize) -> Self {
         Self { slope: Slope::OfGround { from_the_left: true }, ..Self::touch(x, cell) }
     }
 
-    /// A node that stands at a breakpoint and leaves the slope free.
+    /// A node at a breakpoint that leaves the slope free.
     pub(super) fn at(given: &PiecewiseScene, breakpoint: usize) -> Self {
         let [_, cell] = given.cells_beside(breakpoint);
         let free = Self { slope: Slope::Free(0.0), ..Self::touch(given.breakpoints[breakpoint].x, cell) };
         Self { breakpoint: Some(breakpoint), ..free }
     }
 
-    /// A free end of the beam, at which a zone starts or ends.
+    /// A free end of the beam at which a zone starts or ends.
     pub(super) fn tip(given: &PiecewiseScene, at_left: bool) -> Self {
         let breakpoint = if at_left { 0 } else { given.cells.len() };
         Self { slope: Slope::OfGround { from_the_left: !at_left }, lies: at_left, ..Self::at(given, breakpoint) }
     }
 
-    /// A hinge on straight ground, at which a zone starts or ends.
+    /// A hinge on a straight foundation at which a zone starts or ends.
     pub(super) fn hinge_of_zone(given: &PiecewiseScene, breakpoint: usize, starts: bool) -> Self {
         Self { slope: Slope::OfGround { from_the_left: !starts }, lies: starts, ..Self::at(given, breakpoint) }
     }
 
-    /// True if it lies on a smooth piece of the profile and can move on it.
+    /// Whether the node can move along a smooth piece of the profile.
     pub(super) fn can_move(&self) -> bool {
         self.breakpoint.is_none()
     }
 
-    /// True if a zone starts or ends there, and moves with it.
+    /// Whether a zone starts or ends at the node, and moves with it.
     pub(super) fn is_of_zone(&self) -> bool {
         self.starts_zone() || self.ends_zone()
     }
 
-    /// True if a zone starts there, and moves with it.
+    /// Whether a zone starts at the node, and moves with it.
     pub(super) fn starts_zone(&self) -> bool {
         self.can_move() && self.lies
     }
 
-    /// True if a zone ends there, and moves with it.
+    /// Whether a zone ends at the node, and moves with it.
     pub(super) fn ends_zone(&self) -> bool {
         self.can_move() && self.slope == Slope::OfGround { from_the_left: true }
     }
 
-    /// True if the beam touches a smooth piece of the profile there at a single place.
+    /// Whether it is a point contact on a smooth piece of the profile.
     pub(super) fn is_smooth(&self) -> bool {
         self.can_move() && !self.is_of_zone()
     }
 
-    /// True if it is an edge of the profile or a free end of the beam, on which the beam may turn.
+    /// Whether it is an edge of the profile, a compression-only support or a free end of the beam, on which the beam can rotate.
     pub(super) fn is_edge(&self, given: &PiecewiseScene) -> bool {
         !self.can_move() && !self.is_held() && self.support(given).is_none()
     }
 
-    /// True if it is a free end of the beam in a zone, or a hinge in which a zone starts or ends.
+    /// Whether it is a free end of the beam in a zone, or a hinge at which a zone starts or ends.
     pub(super) fn is_tip(&self, given: &PiecewiseScene) -> bool {
         !self.can_move() && self.is_held() && self.support(given).is_none()
     }
 
-    /// True if the ground holds the slope of the beam.
+    /// Whether the foundation fixes the slope of the beam.
     pub(super) fn is_held(&self) -> bool {
         matches!(self.slope, Slope::OfGround { .. })
     }
 
-    /// True if it is a support at which the ground has the slope that the beam is held with.
+    /// Whether it is a support at which the foundation fixes the slope of the beam.
     pub(super) fn rests_at_support(&self, given: &PiecewiseScene) -> bool {
         let support = self.support(given).map(|support| &given.supports[support]);
         support.is_some_and(|support| self.is_held() || support.slope.is_some() && !support.built_in)
     }
 
-    /// The support that it is, if it is one.
+    /// The index of the support at the node, if there is one.
     pub(super) fn support(&self, given: &PiecewiseScene) -> Option<usize> {
         given.support_at(self.breakpoint?)
     }
 
-    /// The support that it is, those that only push counted after the others.
+    /// The index of any support at the node; compression-only supports are counted after the others.
     pub(super) fn any_support(&self, given: &PiecewiseScene) -> Option<usize> {
         self.support(given).or_else(|| given.bearing_index(self.breakpoint.filter(|_| !self.is_held())?))
     }
 
-    /// True if the beam touches something at a single place: the ground, or a support that only pushes.
+    /// Whether it is a point contact, with the foundation or with a compression-only support.
     pub(super) fn is_point(&self, given: &PiecewiseScene) -> bool {
         self.is_smooth() || self.is_edge(given)
     }
 
-    /// True for a contact with the ground at a single place.
+    /// Whether it is a point contact with the foundation.
     pub(super) fn is_ground(&self, given: &PiecewiseScene) -> bool {
         self.is_point(given) && self.any_support(given).is_none()
     }
 
-    /// Moves it to the sum of `x` and `low`, of which `x` is much the larger.
+    /// Moves the node to the sum of `x` and `low`, of which `x` is much the larger.
     pub(super) fn move_to(&mut self, x: f64, low: f64) {
         self.x = x + low;
         self.low = low - (self.x - x);
     }
 
-    /// Turns the beam where the slope is free.
+    /// Adds to the slope if it is free.
     pub(super) fn turn_by(&mut self, step: f64) {
         let Slope::Free(before) = self.slope else { return };
         let low = self.low + step;
@@ -235,14 +235,14 @@ impl Node {
         self.slope = Slope::Free(slope);
     }
 
-    /// Lets the ground on one side hold the slope, if that is free.
+    /// Lets the foundation on one side fix the slope, if the slope is free.
     pub(super) fn hold(&mut self, from_the_left: bool) {
         if !self.is_held() {
             (self.slope, self.low) = (Slope::OfGround { from_the_left }, 0.0);
         }
     }
 
-    /// A free slope and what it is beyond that.
+    /// A free slope and its low-order part.
     fn free_slope(&self) -> [f64; 2] {
         match self.slope {
             Slope::Free(slope) => [slope, self.low],
@@ -250,12 +250,12 @@ impl Node {
         }
     }
 
-    /// The slope of the beam where it is not free, because the beam is built in or because of the ground.
+    /// The slope of the beam where it is fixed, by a built-in support or by the foundation.
     pub(super) fn held_slope(&self, given: &PiecewiseScene) -> Option<f64> {
         let own = self.support(given).and_then(|support| given.supports[support].slope);
         own.or_else(|| match self.slope {
             Slope::Free(_) => None,
-            // Of the piece on which the node lies, which may end just there.
+            // The slope of the piece that contains the node, which may end just there.
             Slope::OfGround { from_the_left } => {
                 let cell = self.breakpoint.map_or(self.cell, |i| given.cells_beside(i)[usize::from(!from_the_left)]);
                 Some(given.derivative(cell, self.x, 1))
@@ -263,12 +263,12 @@ impl Node {
         })
     }
 
-    /// How flexible the joint at the node is, which belongs to what is on its left.
+    /// The flexibility of the joint at the node; the joint belongs to the span on its left.
     fn joint(&self, given: &PiecewiseScene) -> f64 {
         self.breakpoint.map_or(0.0, |i| given.breakpoints[i].joint)
     }
 
-    /// By how much what acts at the node makes `v''` jump: a couple, and a spring against turning.
+    /// The jump of `v''` at the node, from a couple and a rotational spring.
     pub(super) fn couple(&self, given: &PiecewiseScene) -> f64 {
         let at = self.breakpoint.or_else(|| given.exactly_at(self.x, self.cell));
         let couple = at.map_or(0.0, |i| given.breakpoints[i].couple);
@@ -277,13 +277,13 @@ impl Node {
         couple + k * ((slope - without) + low)
     }
 
-    /// The spring against turning at the node: its stiffness, and the slope without moment.
+    /// The rotational spring at the node: its stiffness, and the slope at which its moment is zero.
     pub(super) fn turning(&self, given: &PiecewiseScene) -> Option<[f64; 2]> {
         let moved = || given.exactly_at(self.x, self.cell).filter(|_| !given.springs.is_empty());
         given.turning_at(self.breakpoint.or_else(moved)?)
     }
 
-    /// The cells to its right and to its left.
+    /// The cells to the right and to the left of the node.
     fn cells(&self, given: &PiecewiseScene) -> [usize; 2] {
         match self.breakpoint {
             Some(breakpoint) => {
@@ -294,12 +294,12 @@ impl Node {
         }
     }
 
-    /// The end of a span that lies in `cell` beside the node.
+    /// The end of a span at the node; the span starts in `cell`.
     fn span_end(&self, given: &PiecewiseScene, cell: usize) -> End {
         End { x: self.x, low: self.low, cell, hold: self.end_condition(given, cell) }
     }
 
-    /// Makes a hinge of the end of a span at the outermost node on a side, if that leaves the slope free.
+    /// Makes the end of a span at the outermost node a hinge, if the node leaves the slope free.
     fn hinge(&self, given: &PiecewiseScene, end: &mut End, at_left: bool) {
         if let EndCondition::Edge { height, level, .. } = end.hold
             && self.held_slope(given).is_none()
@@ -312,7 +312,7 @@ impl Node {
         }
     }
 
-    /// How the node holds that span.
+    /// The end condition of a span at the node.
     fn end_condition(&self, given: &PiecewiseScene, cell: usize) -> EndCondition {
         let Some(breakpoint) = self.breakpoint else { return self.moving_end(given, cell) };
         let [left, _] = given.cells_beside(breakpoint);
@@ -321,12 +321,12 @@ impl Node {
             return EndCondition::Resting;
         }
         if self.is_tip(given) && given.breakpoints[breakpoint].joint.is_infinite() {
-            // Beside a zone it turns in the hinge, without a moment.
+            // Next to a zone the span rotates freely in the hinge.
             return EndCondition::Hinge { height: 0.0, level: given.breakpoints[breakpoint].depth, curvature: 0.0 };
         }
         let (height, level) = match self.support(given).map(|support| &given.supports[support]) {
             Some(support) => (support.clearance[usize::from(on_the_right)], support.level),
-            // The lower side of a step lies below the beam, which rests on the upper one.
+            // The lower side of a step is below the beam, which rests on the upper side.
             None => (given.height(breakpoint, cell), given.breakpoints[breakpoint].depth),
         };
         EndCondition::Edge {
@@ -336,7 +336,7 @@ impl Node {
         }
     }
 
-    /// The same of one that can move: at the very end of its piece of the profile it has the next one on its other side.
+    /// The end condition at a node that can move. At the very end of its piece of the profile, its other side is on the next piece.
     fn moving_end(&self, given: &PiecewiseScene, cell: usize) -> EndCondition {
         if given.cells[cell].shape == given.cells[self.cell].shape {
             return EndCondition::Resting;

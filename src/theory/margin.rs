@@ -1,4 +1,4 @@
-//! How far a list of contacts is from violating a condition: what changes its sign where the kind of the answer changes.
+//! The margins of the conditions of a contact list, which change their sign where the kind of the answer changes.
 
 use super::bernstein::{sign_changes, value};
 use super::check::Check;
@@ -11,32 +11,32 @@ use super::sensitivity::{ends, part_at, parts_before};
 use super::span::Span;
 use super::violation::Violation;
 
-/// A condition of a list of contacts that can be followed from scene to scene. Indices are those of the nodes of the list.
+/// A condition of a contact list that can be followed from scene to scene. Indices are node indices of the list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Condition {
     /// A contact presses.
     Presses(usize),
-    /// At a smooth point the profile is bent more than the beam, `h'' ≥ 0` on both sides.
+    /// At a smooth point the profile is curved more than the beam, `h'' ≥ 0` on both sides.
     Bends(usize),
-    /// The zone that starts at this node has a length.
+    /// The zone that starts at this node has a positive length.
     Length(usize),
-    /// The zone that ends at this node does not pull.
+    /// The zone that ends at this node is not in tension.
     ZonePresses(usize),
-    /// The contact lies on its smooth piece of the profile.
+    /// The contact remains on its smooth piece of the profile.
     Stays(usize),
-    /// Beside an edge, or a support, the beam is above the ground: the slope of the clearance to its left or to its right.
+    /// Next to an edge or a support the beam is above the foundation: the slope of the clearance to its left (0) or to its right (1).
     Turns(usize, usize),
-    /// The same beside a support at which the slope of the beam is that of the ground: the bend of the clearance.
+    /// The same next to a support at which the beam has the slope of the foundation: the curvature of the clearance.
     BendsBeside(usize, usize),
     /// The clearance in the span before this node.
     Clears(usize),
-    /// Ground and support push at each other.
+    /// Foundation and support push against each other.
     Couple(usize),
-    /// The force of a support has the sign that it had; true if it pulled.
+    /// The force of a support keeps its sign; true if it pulled before.
     Support(usize, bool),
 }
 
-/// The conditions that a list violates, as far as they can be followed; `pulls` says which supports pulled.
+/// The conditions that a list violates, as far as they can be followed; `pulls` says which supports pulled before.
 pub(super) fn violated_conditions(
     given: &PiecewiseScene,
     list: &List,
@@ -76,7 +76,7 @@ pub(super) fn violated_conditions(
                 match (turned(left, span.at_a[1]), turned(right, -span.at_b[1])) {
                     (Some(node), _) => add(Condition::Turns(node, 1)),
                     (_, Some(node)) => add(Condition::Turns(node, 0)),
-                    // Beside a point that the beam is bent around too much it is below the ground as well.
+                    // Next to a point at which the beam is bent too much, it is below the foundation as well.
                     _ if bent(i) || i.checked_sub(1).is_some_and(bent) => {}
                     _ => add(Condition::Clears(i)),
                 }
@@ -97,10 +97,10 @@ pub(super) fn violated_conditions(
     conditions
 }
 
-/// What has stopped Newton's method: a zone beside a stretch in which it would pull, or a contact at the end of its smooth piece of the
-/// profile. It goes nine tenths of the way there in each of its steps.
+/// The condition that stopped Newton's method: a zone next to a stretch in which it would be in tension, or a contact at the end of its
+/// smooth piece of the profile. Each step covers nine tenths of the remaining distance.
 pub(super) fn stopped(given: &PiecewiseScene, list: &List) -> Option<Condition> {
-    /// As a share of the beam.
+    /// The distance that counts as reached, as a share of the beam length.
     const THERE: f64 = 1e-12;
     let nodes = list.nodes.iter().enumerate().filter(|(_, node)| node.can_move());
     let stays = nodes.map(|(i, _)| Condition::Stays(i));
@@ -112,27 +112,27 @@ pub(super) fn stopped(given: &PiecewiseScene, list: &List) -> Option<Condition> 
     there.next()
 }
 
-/// True if the node is a support at which the ground has the slope that the beam is held with.
+/// Whether the node is a support at which the foundation fixes the slope of the beam.
 fn rests(given: &PiecewiseScene, list: &List, node: usize) -> bool {
     list.nodes.get(node).is_some_and(|node| node.rests_at_support(given))
 }
 
 impl Condition {
-    /// The same where the list is none of any beam, as Newton's method is stopped: a zone that has been entered by a load that pulls, or
-    /// a contact that has left its piece of the profile. Of other conditions nothing is known.
+    /// The margin where Newton's method stopped, so that the list belongs to no beam: negative if a zone now includes a load that would
+    /// require tension, or if a contact has left its piece of the profile. The other conditions have no margin.
     pub(super) fn without_list(self) -> Option<f64> {
         matches!(self, Condition::ZonePresses(_) | Condition::Stays(_)).then_some(f64::NEG_INFINITY)
     }
 
-    /// The margin of a list whose equations hold; negative where the condition is violated. [`None`] where there is no such
-    /// place: then it is not violated.
+    /// The margin for a list whose equations are satisfied; negative where the condition is violated. [`None`] where the condition does
+    /// not apply; then it is not violated.
     pub(super) fn value(self, given: &PiecewiseScene, list: &List) -> Option<f64> {
         let spans = list.spans(given);
         let forces = forces(given, list, &spans);
         self.of(given, list, &spans, &forces)
     }
 
-    /// The same with the spans of the list and the forces of its nodes.
+    /// The same, with the spans of the list and the forces of its nodes.
     fn of(self, given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], forces: &[f64]) -> Option<f64> {
         let before = |node: usize| ends(spans, node)[0];
         let behind = |node: usize| ends(spans, node)[1];
@@ -145,8 +145,8 @@ impl Condition {
             Condition::Length(node) => Some(list.nodes.get(node + 1)?.x - list.nodes.get(node)?.x),
             Condition::ZonePresses(node) => {
                 let (from, to) = (list.nodes.get(node.checked_sub(1)?)?.x, list.nodes.get(node)?.x);
-                // How far the zone is from the nearest stretch, or how much of one is in it; a point load that pulls is a stretch
-                // without length, and counts by how far it is from the nearer end of the zone.
+                // The distance from the zone to the nearest stretch in tension, or the negative length of their overlap. An upward
+                // point load is a stretch without length; its distance to the nearer end of the zone counts.
                 let outside = |&(lo, hi): &(f64, f64)| {
                     if lo < hi { from.max(lo) - to.min(hi) } else { (from - lo).max(hi - to) }
                 };
@@ -179,7 +179,8 @@ impl Condition {
     }
 }
 
-/// The conditions of a list that can be told before they fail, with their values: forces, bends, lengths of zones and clearances.
+/// The conditions of a list that can be evaluated before they fail, with their values: forces, curvatures, lengths of zones and
+/// clearances.
 pub(super) fn all(given: &PiecewiseScene, list: &List, pulls: &[bool]) -> Vec<(Condition, f64)> {
     let spans = list.spans(given);
     let forces = forces(given, list, &spans);
@@ -195,10 +196,10 @@ pub(super) fn all(given: &PiecewiseScene, list: &List, pulls: &[bool]) -> Vec<(C
     nodes.chain(clearances).filter_map(value).collect()
 }
 
-/// The least clearance inside a span, at its local minima and at edges of the profile, at a free end of the beam, and above supports
-/// that only push.
+/// The least clearance inside a span: at its local minima, at edges of the profile, at a free end of the beam, and above
+/// compression-only supports.
 pub(super) fn lowest(given: &PiecewiseScene, span: &Span) -> Option<f64> {
-    /// Nearer to an end of the span than this share of it nothing is inside.
+    /// Distance from the ends, as a share of the span, below which a position does not count as inside.
     const BESIDE: f64 = 1e-7;
     let near = BESIDE * span.length();
     let inside = |x: f64| span.a.x + near < x && x < span.b.x - near;
@@ -221,7 +222,7 @@ pub(super) fn lowest(given: &PiecewiseScene, span: &Span) -> Option<f64> {
             add(given.breakpoints[breakpoint].depth - deflection);
         }
         piece.clearance(given, &mut taylor);
-        // A minimum may lie just where two pieces meet.
+        // A minimum may be exactly where two pieces meet.
         if inside(piece.hi) {
             add(derivatives(&taylor, piece.hi - piece.anchor)[0]);
         }
@@ -245,7 +246,7 @@ mod tests {
     use crate::scene::{Beam, Foundation, Load, Scene};
     use crate::theory;
 
-    /// Above a ridge that the beam nearly touches, on one side of the middle and on the other.
+    /// Above a ridge that the beam nearly touches, in two positions along the beam.
     #[test]
     fn the_least_clearance_is_that_of_many_places() {
         for top in [4.0, 7.5] {

@@ -1,13 +1,13 @@
-//! A beam in balance above one place: on its one support, on the end of the ground, or on a corner of it. Forces, moments and energy
-//! are certain, and the beam may turn about that place until it touches.
+//! A beam in balance on a single position: on its only support, on the end of the foundation, or on a corner of it. Forces, moments and
+//! energy are determined, and the beam can rotate about that position until it touches.
 //!
 //! ```text
 //! v(x) = v₀(x) + s (x − x₀),    from = max (g − v₀)/(x − x₀) left of x₀,    to = min (g − v₀)/(x − x₀) right of x₀
 //! ```
 //!
-//! with the deflection `v₀` for the slope 0 at `x₀`. Ground that starts at `x₀` at the level of the beam limits it there too, by its
-//! own slope. Where `from` exceeds `to`, the ground does not let the beam balance there without bending it, and where it starts at
-//! that level on both sides without a corner it leaves one slope, its own: the position is found as always.
+//! with the deflection `v₀` for the slope 0 at `x₀`. A foundation that starts at `x₀` at the level of the beam limits the slope there
+//! too, by its own slope. If `from` exceeds `to`, the foundation does not let the beam balance there without bending it. If it starts
+//! at that level on both sides without a corner, it leaves only its own slope. The position is then found by the usual search.
 
 use super::bernstein::lowest_below;
 use super::check::{Check, check};
@@ -18,10 +18,10 @@ use super::piecewise::PiecewiseScene;
 use super::search::Candidate;
 use crate::certificate::Slope;
 
-/// The beam in its position with the slope nearest to zero, and the interval of slopes if there is more than one; [`None`] if it does
-/// not rest on this place, `about`, alone.
+/// The beam with the slope nearest to zero, and the interval of slopes if there is more than one; [`None`] if the beam does not rest on
+/// the position `about` alone.
 pub(super) fn balanced(given: &PiecewiseScene, about: f64) -> Option<(Candidate, Option<[f64; 2]>)> {
-    /// Slopes that differ by less than this share are one.
+    /// Slopes that differ by less than this share count as equal.
     const ROUNDING: f64 = 64.0 * f64::EPSILON;
     let node = match given.supports.first() {
         None => edge_node(given, given.breakpoint_at(about).filter(|&breakpoint| given.is_edge(breakpoint))?),
@@ -32,7 +32,7 @@ pub(super) fn balanced(given: &PiecewiseScene, about: f64) -> Option<(Candidate,
     }
     let level = List { nodes: vec![Node { slope: Slope::Free(0.0), ..node }] };
     let slopes = if given.has_obstacle() { slopes(given, &level, about) } else { [f64::NEG_INFINITY, f64::INFINITY] };
-    // Where the ground leaves one slope it is known to rounding, and its limits may lie on either side of each other.
+    // If the foundation leaves one slope, its limits are known only to rounding and may be in either order.
     let rounding = ROUNDING * slopes[0].abs().max(slopes[1].abs());
     if slopes[1] < slopes[0] - rounding {
         return None;
@@ -45,16 +45,16 @@ pub(super) fn balanced(given: &PiecewiseScene, about: f64) -> Option<(Candidate,
     found.solved().then_some((found, turns.then_some(slopes)))
 }
 
-/// Between which slopes the beam is clear of the ground.
+/// The interval of slopes for which the beam is clear of the foundation.
 fn slopes(given: &PiecewiseScene, level: &List, about: f64) -> [f64; 2] {
-    /// Each step is to a place that limits more; a handful are enough, as with Newton's method.
+    /// Each step moves to a more restrictive position; a few steps are enough, as in Newton's method.
     const STEPS: usize = 60;
     let Check { pieces, spans, .. } = check(given, level);
     let mut taylor = vec![0.0; given.terms];
     let mut bound = |left: bool| {
         let sign = if left { -1.0 } else { 1.0 };
         let tangent = given.supports.first().is_some_and(|support| support.tangent[usize::from(!left)]);
-        // With x₀ at the left of all: how far the beam may turn down on this side.
+        // Measured outwards from x₀: the limit of the downward rotation on this side.
         let bearings = spans.iter().flat_map(|(_, span)| in_bearings(given, &pieces, span));
         let arms = bearings.map(|(x, depth)| (sign * (x - about), -depth)).filter(|(arm, _)| 0.0 < *arm);
         let mut least = arms.fold(f64::INFINITY, |least, (arm, clear)| least.min(clear / arm));
@@ -71,7 +71,8 @@ fn slopes(given: &PiecewiseScene, level: &List, about: f64) -> [f64; 2] {
                 let rounding = if least.is_finite() { -f64::EPSILON * least.abs() } else { f64::INFINITY };
                 let beside = (piece.anchor - about).abs() <= 0.0;
                 if beside && (tangent || taylor[0] <= 0.0) {
-                    // The ground starts at x₀ at the level of the beam: h/(x − x₀) is a polynomial, its limit at x₀ among its values.
+                    // The foundation starts at x₀ at the level of the beam: h/(x − x₀) is a polynomial whose values include its limit
+                    // at x₀.
                     if let Some((_, rate)) = lowest_below(&taylor[1..], piece.width(), rounding) {
                         least = least.min(base + rate);
                     }

@@ -1,36 +1,36 @@
-//! Newton's method for the places and slopes of the nodes: a tridiagonal system, one equation for each node.
+//! Newton's method for the positions and slopes of the nodes: a tridiagonal system with one equation for each node.
 //!
-//! Moving a contact at which `h = h' = 0` by `δx` turns the end of the span by `δh' = −h'' δx` and moves the place at which
-//! `h''` is read; turning an edge by `δv'` turns the end by `δh' = −δv'`. The other end answers by the slope-deflection
-//! equations of [`super::span`].
+//! Moving a contact with `h = h' = 0` by `δx` rotates the end of the span by `δh' = −h'' δx` and moves the position at which `h''` is
+//! evaluated. Rotating the beam on an edge by `δv'` rotates the end by `δh' = −δv'`. The response of the other end follows from the
+//! slope-deflection equations of [`super::span`].
 
 use super::list::{List, Node, Unknown};
 use super::piecewise::PiecewiseScene;
 use super::span::{EndCondition, Span};
 
-/// How it went.
+/// The outcome of Newton's method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Run {
-    /// Steps taken.
+    /// Number of steps.
     pub(super) steps: usize,
-    /// True if the last step was at the level of rounding.
+    /// Whether the last step was at the level of rounding.
     pub(super) converged: bool,
 }
 
-/// Quadratic convergence needs 5 steps from a good start, and bisection 50 from one beside a point load; more is no start.
+/// Maximum number of steps. Quadratic convergence needs 5 from a good start, and bisection 50 from a start next to a point load.
 const STEPS: usize = 60;
-/// Steps that quadratic convergence has before brackets are kept.
+/// Number of steps for quadratic convergence before brackets are used.
 const QUADRATIC: usize = 8;
-/// Steps at the level of rounding that refine the solution: slopes at edges, and digits of places beyond their last one.
+/// Number of steps at the level of rounding that refine slopes at edges and the low-order parts of positions.
 const REFINED: usize = 1;
-/// A step below this fraction of the beam is rounding.
+/// Step size that counts as rounding, as a share of the beam.
 const ROUNDING: f64 = 1e-15;
-/// A step below this one that shrinks no more is rounding too.
+/// Step size below which a step that no longer shrinks counts as rounding too.
 const NEARLY: f64 = 1e-12;
-/// Two neighbours that share a span may come this much closer in one step.
+/// The largest movement in one step towards a neighbour across a span, as a share of their distance.
 const APPROACH: f64 = 0.45;
 
-/// Moves the nodes of `list` until all equations hold.
+/// Moves the nodes of `list` until all equations are satisfied.
 pub(super) fn solve(given: &PiecewiseScene, list: &mut List) -> Run {
     if list.unknowns(given) == 0 {
         return Run { steps: 0, converged: true };
@@ -39,7 +39,7 @@ pub(super) fn solve(given: &PiecewiseScene, list: &mut List) -> Run {
     let mut brackets = vec![Bracket::EVERYWHERE; list.nodes.len()];
     let mut rests = 0;
     for steps in 0..STEPS {
-        // Row i: the jump of h'' at contact i, and its derivatives by the places of contacts i − 1, i and i + 1.
+        // Row i: the jump of h'' at contact i, and its derivatives with respect to the positions of contacts i − 1, i and i + 1.
         let rows = equations(given, list, |row| list.each_span(given, row));
         if QUADRATIC <= steps {
             brackets.iter_mut().zip(&list.nodes).zip(&rows).for_each(|((b, node), row)| b.narrow(node.x, row.jump));
@@ -48,7 +48,7 @@ pub(super) fn solve(given: &PiecewiseScene, list: &mut List) -> Run {
         let Some(rows) = newton_step(rows) else {
             return Run { steps, converged: false };
         };
-        // No further than to the end of a smooth piece of the ground, or to the next contact.
+        // At most to the end of a smooth piece of the foundation, or to the next contact.
         let Applied { size, limited } = apply(given, list, &rows, &mut brackets);
         let at_rest = !limited && (size <= ROUNDING || (size <= NEARLY && 0.5 * last <= size));
         rests = if at_rest { rests + 1 } else { 0 };
@@ -60,10 +60,10 @@ pub(super) fn solve(given: &PiecewiseScene, list: &mut List) -> Run {
     Run { steps: STEPS, converged: false }
 }
 
-/// How `e h''` at the two ends of a span, from its first part to its last one, answers to what is unknown of the two nodes beside it:
-/// `[end][node]`.
+/// The derivatives of `e h''` at the two ends of a span with respect to the unknowns of the two neighbouring nodes: `[end][node]`. The
+/// span reaches from its first to its last part.
 fn response([left, right]: [Option<Unknown>; 2], [first, last]: [&Span; 2]) -> [[f64; 2]; 2] {
-    // δh' of each end for a unit of its unknown, and how fast e h'' changes under a moving end.
+    // δh' of each end for a unit of its unknown, and the change of e h'' under a moving end.
     let turn = |unknown: Option<Unknown>, end: &[f64; 4], e: f64| match unknown {
         None => (0.0, 0.0),
         Some(Unknown::Slope) => (-1.0, 0.0),
@@ -75,7 +75,7 @@ fn response([left, right]: [Option<Unknown>; 2], [first, last]: [&Span; 2]) -> [
         return [[carry_a + aa * turn_a, ab * turn_b], [ba * turn_a, carry_b + bb * turn_b]];
     }
     if first.is_overhang() || last.is_overhang() {
-        // Its moment is known from its loads.
+        // The moment of an overhang follows from its loads.
         return [[carry_a, 0.0], [0.0, carry_b]];
     }
     let l = first.length() / first.stiffness;
@@ -89,13 +89,14 @@ fn response([left, right]: [Option<Unknown>; 2], [first, last]: [&Span; 2]) -> [
     }
 }
 
-/// The equation of a node, `h''(x−) − h''(x+) = C` with the couple that acts there, and zero for the side of a zone. At an edge it says the same of `v''`, as the
-/// profile has breaks of its depth and slope, and of no higher derivative. A node without unknown does not move.
+/// The equation of a node, `h''(x−) − h''(x+) = C` with the couple `C` at the node and zero on the side of a zone. At an edge it is
+/// equivalent to the same equation for `v''`, because the profile jumps in depth and slope and in no higher derivative. A node without
+/// unknown does not move.
 #[derive(Debug, Clone, Copy)]
 struct Row {
-    /// What is not known of the node.
+    /// The unknown of the node.
     unknown: Option<Unknown>,
-    /// How the jump depends on the node to the left, this node and the node to the right.
+    /// Derivatives of the jump with respect to the left node, this node and the right node.
     derivative: [f64; 3],
     /// `h''(x−) − h''(x+) − C`.
     jump: f64,
@@ -105,21 +106,21 @@ struct Row {
 
 /// The equations of all nodes.
 ///
-/// At the solution the middle derivative is `−R − 4 h'' Σ 1/ℓ` or so, with the contact force `R ≥ 0` and `h'' ≥ 0`: negative.
+/// At the solution the middle derivative is about `−R − 4 h'' Σ 1/ℓ` with the contact force `R ≥ 0` and `h'' ≥ 0`, so it is negative.
 fn equations(given: &PiecewiseScene, list: &List, each: impl FnOnce(&mut dyn FnMut(usize, &Span))) -> Vec<Row> {
     let row = |(i, node): (usize, &Node)| {
         let unknown = list.unknown(given, i);
         let middle = match unknown {
             None => 1.0,
             Some(Unknown::Slope) => node.turning(given).map_or(0.0, |[k, _]| -k),
-            // A load just here is in neither span, but moving on in either direction would put it into one of them.
+            // A load exactly here belongs to neither span, but moving in either direction would put it into one of them.
             Some(Unknown::Place) => -given.force_at(node.x, node.cell).max(0.0),
         };
         let couple = if unknown.is_some() { node.couple(given) } else { 0.0 };
         Row { unknown, derivative: [0.0, middle, 0.0], jump: 0.0 - couple, step: 0.0 }
     };
     let mut rows: Vec<Row> = list.nodes.iter().enumerate().map(row).collect();
-    // The first part of a span that is divided.
+    // The first part of a divided span.
     let mut first: Option<Span> = None;
     each(&mut |right, span| {
         if span.b.hold == EndCondition::Within {
@@ -145,8 +146,9 @@ fn equations(given: &PiecewiseScene, list: &List, each: impl FnOnce(&mut dyn FnM
     rows
 }
 
-/// `e h''` on a side of node `i`, or where the stiffness changes at an edge `−e v''`: the moment of the ground jumps there, too. So it does
-/// at an outermost node, which moves only along the ground or has none on its other side.
+/// `e h''` on a side of node `i`. At an edge where the stiffness changes it is `−e v''`, because the moment of a beam along the
+/// foundation jumps there too. The same holds at an outermost node, which moves only along the foundation or has no beam on its other
+/// side.
 fn side(given: &PiecewiseScene, list: &List, i: usize, at: &[f64; 4], beam: &[f64; 4]) -> f64 {
     let changes = |breakpoint: usize| {
         let [left, right] = given.cells_beside(breakpoint).map(|cell| given.cells[cell].stiffness);
@@ -158,20 +160,20 @@ fn side(given: &PiecewiseScene, list: &List, i: usize, at: &[f64; 4], beam: &[f6
     if is_changed || is_outer { -beam[2] } else { at[2] }
 }
 
-/// How far the equations are from holding.
+/// The residual of the equations.
 pub(super) struct Residual {
     /// The largest jump of `v''`.
     pub(super) jump: f64,
-    /// The largest fraction of the beam by which a contact would have to move, which for steep profiles is rounding of its
-    /// place long before the jump is small.
+    /// The largest movement that a contact still needs, as a share of the beam. For steep profiles this is rounding of the position
+    /// long before the jump is small.
     pub(super) step: f64,
-    /// The largest fraction of a span beside it by which a contact would have to move, and the node to the right of that span.
+    /// The largest movement that a contact still needs as a share of a neighbouring span, and the node to the right of that span.
     pub(super) unresolved: (f64, usize),
 }
 
 /// The residual of the equations of `list` with its `spans`.
 pub(super) fn residual(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Residual {
-    // A NaN is never small.
+    // A NaN never counts as small.
     let most = |most: f64, r: f64| if r.abs() <= most { most } else { r.abs() };
     let rows = equations(given, list, |row| spans.iter().for_each(|(i, span)| row(*i, span)));
     let jump = rows.iter().map(|row| row.jump).fold(0.0, most);
@@ -195,10 +197,10 @@ pub(super) fn residual(given: &PiecewiseScene, list: &List, spans: &[(usize, Spa
 
 /// The equations with Newton's step; [`None`] if the system is singular.
 fn newton_step(mut rows: Vec<Row>) -> Option<Vec<Row>> {
-    // Rows and columns of moving nodes carry units of h''; elimination with a check of the pivots is enough, since the
+    // Rows and columns of moving nodes have units of h''. Elimination with a check of the pivots is enough, because the
     // slope-deflection equations are diagonally dominant.
     for row in rows.iter_mut().filter(|row| row.unknown == Some(Unknown::Place)) {
-        // A derivative of the other sign leads to a root that pulls or penetrates: the step goes away from it. Without load it is zero.
+        // A derivative of the other sign leads to a root in tension or with penetration: step away from it. Without load it is zero.
         let slope = row.derivative[1].abs();
         row.derivative[1] = if slope == 0.0 { -1.0 } else { -slope };
     }
@@ -225,19 +227,19 @@ fn newton_step(mut rows: Vec<Row>) -> Option<Vec<Row>> {
     Some(rows)
 }
 
-/// What became of a step.
+/// The outcome of a step.
 #[derive(Debug, Default)]
 struct Applied {
-    /// Its largest part, as a share of the beam.
+    /// Its largest component, as a share of the beam.
     size: f64,
-    /// True if a node was kept from moving as far as it should.
+    /// Whether the movement of a node was limited.
     limited: bool,
 }
 
-/// Takes the step as far as every node stays on its piece of the profile and spans keep a length.
+/// Applies the step as far as every node remains on its piece of the profile and every span keeps a positive length.
 fn apply(given: &PiecewiseScene, list: &mut List, rows: &[Row], brackets: &mut [Bracket]) -> Applied {
     let mut applied = Applied::default();
-    // Where the node to the left was before this step.
+    // The position of the left node before this step.
     let mut left = 0.0;
     for (i, &Row { unknown, step, .. }) in rows.iter().enumerate() {
         let node = list.nodes[i];
@@ -257,7 +259,7 @@ fn apply(given: &PiecewiseScene, list: &mut List, rows: &[Row], brackets: &mut [
         } else if node.ends_zone() {
             hi = hi.min(given.next_pulling(x)[1]);
         }
-        // Most of the way to a break of the profile, which is no place for a contact of this kind.
+        // Most of the way to a break of the profile, where no contact of this kind can be.
         (lo, hi) = (x + 0.9 * (lo - x), x + 0.9 * (hi - x));
         if !list.in_zone_before(i) {
             lo = lo.max(x - APPROACH * (x - before));
@@ -280,7 +282,7 @@ fn apply(given: &PiecewiseScene, list: &mut List, rows: &[Row], brackets: &mut [
     applied
 }
 
-/// Between which places the root of a node's equation must lie, as long as its neighbours do not move much.
+/// The interval that contains the root of a node's equation, as long as its neighbours move little.
 #[derive(Debug, Clone, Copy)]
 struct Bracket {
     lo: f64,
@@ -290,7 +292,7 @@ struct Bracket {
 impl Bracket {
     const EVERYWHERE: Self = Self { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
 
-    /// Takes notice of the value at `x` of an equation that falls from left to right.
+    /// Narrows the interval by the value at `x` of an equation that falls from left to right.
     fn narrow(&mut self, x: f64, value: f64) {
         if 0.0 < value {
             self.lo = x;
@@ -303,8 +305,8 @@ impl Bracket {
         }
     }
 
-    /// Where to go instead of `wanted`: the middle, if it lies outside. Beside a point load Newton's method would jump
-    /// from one side to the other for ever.
+    /// The position instead of `wanted`: the middle, if `wanted` is outside. Next to a point load Newton's method would otherwise
+    /// oscillate from one side to the other forever.
     fn keep(&mut self, wanted: f64, rounding: f64) -> f64 {
         if self.hi - self.lo <= rounding {
             *self = Self::EVERYWHERE;

@@ -1,11 +1,11 @@
-//! Lists that are valid: repaired and guessed ones are brought into this form before they are solved.
+//! Normal form of lists: repaired and guessed lists are brought into this form before they are solved.
 
 use super::list::{List, Node};
 use super::piecewise::PiecewiseScene;
 use crate::certificate::Slope;
 
-/// The list without nodes that are not valid: starts and ends of zones that have lost their partner, and neighbours that
-/// leave no span between them. Supports stay.
+/// The list without invalid nodes: starts and ends of zones without their counterpart, and neighbours with no span between them.
+/// Supports remain.
 pub(super) fn merged(given: &PiecewiseScene, nodes: &[Node]) -> List {
     let mut normal = Normal {
         given,
@@ -27,7 +27,7 @@ pub(super) fn merged(given: &PiecewiseScene, nodes: &[Node]) -> List {
     normal.end_of_beam()
 }
 
-/// The end of a zone that cannot be told from a hinge on straight ground is the hinge.
+/// Replaces the end of a zone by a hinge on a straight foundation if the two positions cannot be distinguished.
 fn at_hinge(given: &PiecewiseScene, node: Node, closed: f64) -> Node {
     if given.divisions.is_empty() || !node.is_of_zone() {
         return node;
@@ -40,13 +40,13 @@ fn at_hinge(given: &PiecewiseScene, node: Node, closed: f64) -> Node {
 /// The nodes of a list so far.
 struct Normal<'a> {
     given: &'a PiecewiseScene,
-    /// A gap of this width between two contacts cannot be told from none; one between contacts on the same slope is more
-    /// likely the solution without a gap, which the equations have as well.
+    /// Width up to which a gap between two contacts on the same slope counts as closed. It is more likely the solution without a gap,
+    /// which also satisfies the equations.
     closed: f64,
-    /// The same of two contacts on different slopes.
+    /// The same width for two contacts on different slopes.
     least: f64,
     nodes: Vec<Node>,
-    /// True if a zone has begun and not ended.
+    /// Whether a zone has begun and not ended.
     inside: bool,
 }
 
@@ -64,7 +64,7 @@ impl Normal<'_> {
         if node.ends_zone() {
             match (std::mem::take(&mut self.inside), self.nodes.last_mut()) {
                 (false, _) => {}
-                // Of a zone that has shrunk to nothing at a support the slope is left that the ground holds.
+                // If a zone has shrunk to nothing at a support, the foundation still fixes the slope there.
                 (true, Some(last)) if support.is_some() && node.x - last.x <= self.least => last.lies = false,
                 (true, _) => self.nodes.push(node),
             }
@@ -74,14 +74,15 @@ impl Normal<'_> {
         } else if !self.inside && node.lies {
             self.inside = true;
             match (support, self.nodes.last_mut()) {
-                // A zone that starts in the last digits beside a support where the ground starts as well.
+                // A zone that starts within the last digits of the position of a support, where the foundation starts at its level as
+                // well.
                 (Some(index), Some(last)) if given.supports[index].tangent[1] => {
                     last.lies = true;
                     last.hold(false);
                 }
                 (Some(_), _) => self.nodes.push(node),
                 (None, last) => {
-                    // The zone before goes on, or it begins where an edge was.
+                    // The previous zone continues, or the zone begins where an edge was.
                     let goes_on = last.is_some_and(|last| last.ends_zone());
                     self.nodes.pop();
                     self.nodes.extend((!goes_on).then_some(node));
@@ -90,7 +91,7 @@ impl Normal<'_> {
         }
     }
 
-    /// Two contacts on one smooth piece are one zone if it would press everywhere between them.
+    /// Joins two contacts on one smooth piece to one zone if the whole zone between them is in compression.
     fn joins_zone(&mut self, node: &Node) -> bool {
         let given = self.given;
         if !self.inside
@@ -136,7 +137,7 @@ impl Normal<'_> {
         self.nodes.push(node);
     }
 
-    /// A zone that begins and has no end does not begin.
+    /// Removes the start of a zone that has no end.
     fn give_up(&mut self) {
         self.inside = false;
         let given = self.given;
@@ -151,7 +152,7 @@ impl Normal<'_> {
         }
     }
 
-    /// At the left end a zone starts, at the right one it ends.
+    /// Adds a free end or a hinge: at the left end a zone starts, at the right end it ends.
     fn add_tip(&mut self, tip: Node) {
         let is_hinge = tip.breakpoint.is_some_and(|i| self.given.breakpoints[i].joint != 0.0);
         if is_hinge && tip.lies && !self.inside {
@@ -166,7 +167,7 @@ impl Normal<'_> {
     fn end_of_beam(mut self) -> List {
         let given = self.given;
         let last = given.cells.len();
-        // A contact in the last digits before a free end is one of that end.
+        // A contact within the last digits of the position of a free end belongs to that end.
         if given.free_ends[1]
             && let Some(end) = self.nodes.last_mut()
             && end.can_move()
@@ -191,7 +192,7 @@ impl Normal<'_> {
         List { nodes: self.nodes }
     }
 
-    /// Of a zone that has shrunk to nothing at a free end the end itself is left.
+    /// Replaces a zone that has shrunk to nothing at a free end by the end itself.
     fn close_short_tips(&mut self) {
         let given = self.given;
         if let [tip, end, ..] = self.nodes[..]
@@ -214,7 +215,7 @@ impl Normal<'_> {
     }
 }
 
-/// A node on an edge of the profile, with the mean of the slopes on its two sides to start from.
+/// A node on an edge of the profile; its initial slope is the mean of the slopes on the two sides.
 pub(super) fn edge_node(given: &PiecewiseScene, breakpoint: usize) -> Node {
     let x = given.breakpoints[breakpoint].x;
     let [left, right] = given.cells_beside(breakpoint);

@@ -1,22 +1,22 @@
-//! The beam beyond the last place that holds it, by statics.
+//! The beam beyond its outermost support or contact, by statics.
 
 use super::piecewise::PiecewiseScene;
 
-/// What the loads beyond a place do to the beam, if nothing else acts there.
+/// The effect of the loads beyond a position on the beam, if nothing else acts there.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Overhang {
     /// `∫q`.
     pub(super) force: f64,
-    /// `∫q r`: `v''` at the place.
+    /// `∫q r`: `v''` at the position.
     pub(super) moment: f64,
-    /// `∫q r²/2`: by how much the free end turns.
+    /// `∫q r²/2`: the rotation of the free end.
     pub(super) turn: f64,
-    /// `∫q r² (3ℓ − r)/6`: how far it sags.
+    /// `∫q r² (3ℓ − r)/6`: the deflection of the free end.
     pub(super) sag: f64,
 }
 
 impl Overhang {
-    /// The loads between `x` and the left or the right end of the beam, without one just at `x`.
+    /// The loads between `x` and the left or the right end of the beam, without a load exactly at `x`.
     pub(super) fn of(given: &PiecewiseScene, x: f64, at_left: bool) -> Self {
         let [from, to] = if at_left { [0.0, x] } else { [x, given.length] };
         let mut sum = Self::default();
@@ -38,7 +38,7 @@ impl Overhang {
         }
         let beyond = || given.forces().filter(|at| if at_left { at.x < x } else { x < at.x });
         beyond().for_each(|at| add(at.x, at.force));
-        // What a couple does is what a force does, differentiated by its place.
+        // The effect of a couple is the derivative of the effect of a force with respect to its position.
         for at in beyond() {
             let (r, couple) = ((x - at.x).abs(), if at_left { at.couple } else { -at.couple });
             sum.moment += couple;

@@ -1,5 +1,5 @@
-//! Where the beam is deepest in the ground: cell by cell beside a contact, and farther away over many cells of straight ground at
-//! once, which are clear if the beam reaches nowhere as deep as their shallowest point.
+//! The deepest penetration of the beam: cell by cell next to a contact, and over many cells of a straight foundation at once farther
+//! away. Such a block is clear if the beam is nowhere deeper than its shallowest point.
 
 use std::ops::RangeInclusive;
 
@@ -8,13 +8,13 @@ use super::piece::{NEAR, Piece, derivatives};
 use super::piecewise::PiecewiseScene;
 use super::span::{EndCondition, Span};
 
-/// Cells that are looked at together, at most: so many cost next to nothing each.
+/// Maximum number of cells in a block: beyond it the cost per cell is negligible.
 const MOST: usize = 4096;
-/// How many times more cells are looked at after some that are clear, and fewer after some that are not.
+/// Growth factor of the block after a clear one, and shrinkage factor after one that is not clear.
 const MORE: usize = 4;
 
-/// How deep the beam would be in each support that only pushes under a span and does not hold it: `(place, depth)`, negative where
-/// it is clear.
+/// The penetration of each rigid compression-only support under a span that does not rest on it: `(position, depth)`, negative where
+/// the beam is clear.
 pub(super) fn in_bearings<'a>(
     given: &'a PiecewiseScene,
     pieces: &'a [Piece],
@@ -36,7 +36,7 @@ pub(super) fn in_bearings<'a>(
     })
 }
 
-/// The deepest penetration in a span, if it is deeper than what is `allowed` at a place: `(place, depth)`.
+/// The deepest penetration in a span, if it is deeper than `allowed` at its position: `(position, depth)`.
 pub(super) fn deepest(
     given: &PiecewiseScene,
     pieces: &[Piece],
@@ -55,7 +55,7 @@ pub(super) fn deepest(
     let first = pieces.partition_point(|p| p.hi <= span.a.x);
     let mut taylor = vec![0.0; given.terms];
     for piece in pieces[first..].iter().take_while(|p| p.lo < span.b.x) {
-        // Beside its anchor the clearance of a piece is known better than its deflection.
+        // Next to its anchor the clearance of a piece is more accurate than its deflection.
         by_blocks(given, piece, NEAR + 1, |part| {
             let bar = worst.map_or_else(|| allowed(part.lo), |(_, depth)| depth);
             if 1 < part.count() {
@@ -68,8 +68,8 @@ pub(super) fn deepest(
     worst
 }
 
-/// Goes through the cells of a piece from left to right, over straight ground many at once: `look` says of such a block whether it is done with
-/// it, and otherwise sees smaller ones, down to single cells. The first `near` cells from its anchor are looked at one by one.
+/// Visits the cells of a piece from left to right, over a straight foundation in blocks. `look` returns whether a block is finished;
+/// otherwise it is called with smaller blocks, down to single cells. The first `near` cells from the anchor are visited one by one.
 pub(super) fn by_blocks(given: &PiecewiseScene, piece: &Piece, near: usize, mut look: impl FnMut(&Piece) -> bool) {
     let (all, mut i, mut together) = (piece.count(), 0, 1);
     let cells = |i: usize, count: usize| {
@@ -93,17 +93,17 @@ pub(super) fn by_blocks(given: &PiecewiseScene, piece: &Piece, near: usize, mut 
     }
 }
 
-/// True for an end at which nothing holds the beam.
+/// Whether nothing holds the beam at this end of a span.
 fn is_open(hold: EndCondition) -> bool {
     matches!(hold, EndCondition::Free | EndCondition::Within)
 }
 
-/// The deepest penetration in one cell and at the edge at its end, if it is deeper than what is allowed.
+/// The deepest penetration in one cell and at the edge at its end, if it is deeper than `allowed`.
 fn in_cell(given: &PiecewiseScene, part: &Piece, span: &Span, allowed: f64, taylor: &mut [f64]) -> Option<(f64, f64)> {
     part.clearance(given, taylor);
     part.outwards(taylor);
     let inside = lowest_below(taylor, part.width(), -allowed).map(|(s, value)| (part.place(s), -value));
-    // At the foot of cliffs: along them the clearance is a sum of their heights, at the edge it is what is given.
+    // At the foot of steps: along them the clearance is a sum of their heights, while at the edge the depth is given.
     let edge = &given.breakpoints[part.cell + 1];
     let before_end = edge.x < span.b.x || span.b.hold == EndCondition::Within;
     let is_inside = edge.x <= part.hi && before_end && given.is_edge(part.cell + 1);
@@ -117,14 +117,14 @@ fn in_cell(given: &PiecewiseScene, part: &Piece, span: &Span, allowed: f64, tayl
     if is_deeper { Some((part.hi, depth)) } else { inside }
 }
 
-/// True if the beam reaches nowhere deeper than some depth below the shallowest point of the straight ground below a piece.
+/// Whether the beam is nowhere deeper than `depth` below the shallowest point of the straight foundation below a piece.
 pub(super) fn is_clear(given: &PiecewiseScene, piece: &Piece, depth: f64, taylor: &mut [f64]) -> bool {
     let shallowest = given.breakpoints[below(piece)].iter().fold(f64::INFINITY, |least, j| least.min(j.depth));
     beam_range(given, piece, taylor).is_some_and(|[_, most]| most <= shallowest + depth)
 }
 
-/// Between which values the clearance of a piece over straight ground lies, those of both sides of a step among them; [`None`] where a
-/// support that only pushes stands above it.
+/// Bounds of the clearance of a piece over a straight foundation, including both sides of a step; [`None`] if a rigid compression-only
+/// support is below the piece.
 pub(super) fn clearance_range(given: &PiecewiseScene, piece: &Piece, taylor: &mut [f64]) -> Option<[f64; 2]> {
     let below = below(piece);
     let next_bearing = given.bearings[given.bearings.partition_point(|i| i < below.start())..].first();
@@ -138,7 +138,7 @@ pub(super) fn clearance_range(given: &PiecewiseScene, piece: &Piece, taylor: &mu
     beam_range(given, piece, taylor).map(|[least, most]| [shallowest - most, deepest - least])
 }
 
-/// Between which values the deflection of a piece lies.
+/// Bounds of the deflection of a piece.
 fn beam_range(given: &PiecewiseScene, piece: &Piece, taylor: &mut [f64]) -> Option<[f64; 2]> {
     piece.deflection(given, taylor);
     piece.outwards(taylor);
@@ -158,7 +158,7 @@ mod tests {
     use super::*;
     use crate::scene::{Beam, Foundation, Load, PointLoad, Scene};
 
-    /// Ground of so many points with one that is the shallowest, and a beam that sags into it or not.
+    /// A foundation of `count` points, one of which may be the shallowest, and a beam that may sag onto it.
     fn given(count: u32, at: u32, depth: f64) -> PiecewiseScene {
         let beam = Beam::new(1.0, 1.0).expect("a beam");
         let point = vec![PointLoad { at: 0.7, force: 1.0 }];
@@ -170,8 +170,8 @@ mod tests {
         PiecewiseScene::new(&Scene::new(beam, load, Some(foundation)).expect("a scene"))
     }
 
-    /// The beam without contact is in the ground at one point or nowhere, wherever that point is among ten thousand: what is found by
-    /// many cells at once is what is found cell by cell.
+    /// The beam without contact penetrates at one point or nowhere, for many positions of that point among ten thousand. The result by
+    /// blocks equals the result cell by cell.
     #[test]
     fn one_point_among_many_is_found() {
         const COUNT: u32 = 10_000;
@@ -198,7 +198,7 @@ mod tests {
         }
     }
 
-    /// The clearance that is carried over kinks is that of depth and deflection.
+    /// The clearance carried over kinks equals the depth minus the deflection.
     #[test]
     fn cells_continue_each_other() {
         for at in 1..200 {

@@ -1,5 +1,5 @@
-//! The beam by pieces: over each of them it is one polynomial, from a contact over all cells under one line of load to the next
-//! contact, or to the middle between the two. In each of its cells the clearance is one polynomial (or nearly so, for a cosine).
+//! The beam in pieces. Each piece is one polynomial: from a contact over all cells under one line of load to the next contact, or to
+//! the middle between the two. In each of its cells the clearance is one polynomial (or nearly so, for a cosine).
 
 use super::list::List;
 use super::piecewise::{Cell, PiecewiseScene};
@@ -13,26 +13,27 @@ pub(super) struct Piece {
     pub(super) lo: f64,
     /// Right end.
     pub(super) hi: f64,
-    /// Where its polynomial starts: the end that is nearer to the contact, or support, from which it was computed.
+    /// The origin of its polynomial: the end that is nearer to the contact or support from which it was computed.
     pub(super) anchor: f64,
     /// The cell at the anchor.
     pub(super) cell: usize,
     /// The cell at its other end.
     far: usize,
-    /// What is known at the anchor; [`None`] inside a zone, where the beam is the profile.
+    /// The state at the anchor; [`None`] inside a zone, where the beam follows the profile.
     pub(super) state: Option<State>,
 }
 
-/// Beam and clearance at a place, with three derivatives.
+/// Beam and clearance at a position, with three derivatives.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct State {
     /// `v, v', e v'', e v'''`.
     pub(super) beam: [f64; 4],
-    /// `h, h', e h'', e h'''`: beside a contact more accurate than `u − v`.
+    /// `h, h', e h'', e h'''`: next to a contact more accurate than `u − v`.
     pub(super) clearance: [f64; 4],
 }
 
-/// So many breaks of straight ground from the anchor of a piece its cells are looked at one by one, and its slopes count for its rounding.
+/// Number of breaks of a straight foundation from the anchor of a piece within which cells are examined one by one and slopes count for
+/// rounding.
 pub(super) const NEAR: usize = 64;
 
 impl Piece {
@@ -51,7 +52,7 @@ impl Piece {
         out[5] -= given.cells[self.cell].load_slope / 120.0 / e;
     }
 
-    /// The same where the profile is there already, under an axial force: what it is more than the deflection.
+    /// The same under an axial force, where `out` already contains the profile: subtracts the deflection from it.
     fn clearance_under_tension(&self, given: &PiecewiseScene, out: &mut [f64]) {
         let Some(State { clearance: [h, h1, h2, h3], .. }) = self.state else { return };
         let (e, mut beam) = (self.stiffness(given), vec![0.0; out.len()]);
@@ -60,7 +61,7 @@ impl Piece {
         out[..4].copy_from_slice(&[h, h1, h2 / 2.0 / e, h3 / 6.0 / e]);
     }
 
-    /// `e` on it.
+    /// `e` on this piece.
     pub(super) fn stiffness(&self, given: &PiecewiseScene) -> f64 {
         given.cells[self.cell].stiffness
     }
@@ -78,7 +79,7 @@ impl Piece {
         }
     }
 
-    /// A place `s ≥ 0` away from the anchor.
+    /// The position at the distance `s ≥ 0` from the anchor.
     pub(super) fn place(&self, s: f64) -> f64 {
         if self.is_from_the_left() { self.lo + s } else { self.hi - s }
     }
@@ -88,19 +89,19 @@ impl Piece {
         self.hi - self.lo
     }
 
-    /// A part of the beam in one cell, of which the polynomial is known elsewhere.
+    /// A part of the beam in one cell, whose polynomial is stored elsewhere.
     pub(super) fn of_part([lo, hi]: [f64; 2], anchor: f64, cell: usize) -> Self {
         Self { lo, hi, anchor, cell, far: cell, state: None }
     }
 
-    /// Turns coefficients in powers of `x − anchor` into powers of the distance from the anchor.
+    /// Converts coefficients in powers of `x − anchor` into powers of the distance from the anchor.
     pub(super) fn outwards(&self, taylor: &mut [f64]) {
         if !self.is_from_the_left() {
             taylor.iter_mut().skip(1).step_by(2).for_each(|c| *c = -*c);
         }
     }
 
-    /// True if it was computed from its left end.
+    /// Whether it was computed from its left end.
     pub(super) fn is_from_the_left(&self) -> bool {
         self.anchor <= self.lo
     }
@@ -110,25 +111,25 @@ impl Piece {
         self.cell.abs_diff(self.far) + 1
     }
 
-    /// Its cell number `k`, as counted from the anchor.
+    /// The cell number `k`, counted from the anchor.
     pub(super) fn nth(&self, k: usize) -> usize {
         if self.is_from_the_left() { self.cell + k } else { self.cell - k }
     }
 
-    /// The part of it in a cell, or the nearest one that it has.
+    /// Its part in a cell, or in the nearest of its cells.
     pub(super) fn part_in(&self, given: &PiecewiseScene, cell: usize) -> Self {
         let k = if self.is_from_the_left() { cell.saturating_sub(self.cell) } else { self.cell.saturating_sub(cell) };
         let k = k.min(self.count() - 1);
         self.part(given, k, k)
     }
 
-    /// Each of its cells for itself, from the anchor on.
+    /// Its parts in single cells, starting at the anchor.
     pub(super) fn parts<'a>(&self, given: &'a PiecewiseScene) -> impl Iterator<Item = Self> + use<'a> {
         let whole = *self;
         (0..whole.count()).map(move |k| whole.part(given, k, k))
     }
 
-    /// Its cells from number `k` to number `last`, with what is known at their near end.
+    /// Its cells from number `k` to number `last`, with the state at their near end.
     pub(super) fn part(&self, given: &PiecewiseScene, k: usize, last: usize) -> Self {
         let (cell, far, right) = (self.nth(k), self.nth(last), self.is_from_the_left());
         let near_end = |k: usize, cell: usize, end: f64| match (k, right) {
@@ -151,10 +152,10 @@ impl Piece {
         Self { lo, hi, anchor, cell, far, state }
     }
 
-    /// What is known at the beginning of its cell number `k`, or of the cell behind its last one.
+    /// The state at the beginning of its cell number `k`, or of the cell behind its last one.
     fn carried(&self, given: &PiecewiseScene, state: &State, k: usize) -> State {
         let right = self.is_from_the_left();
-        // The break at which cell `k` begins, from here, and the cell.
+        // The break at which cell `k` begins, seen from the anchor, and the cell.
         let at = |k: usize| if right { self.cell + k } else { self.cell + 1 - k };
         let cell = self.nth(k);
         let x = given.breakpoints[at(k)].x;
@@ -165,7 +166,7 @@ impl Piece {
         State { beam, clearance: difference(&given.derivatives(cell, x), &beam) }
     }
 
-    /// What is known behind its far end, where a force may act.
+    /// The state behind its far end, where a force may act.
     fn beyond(&self, given: &PiecewiseScene) -> Option<State> {
         let breakpoint = if self.is_from_the_left() { self.far + 1 } else { self.far };
         let sign = if self.is_from_the_left() { 1.0 } else { -1.0 };
@@ -200,14 +201,14 @@ fn beam_taylor(given: &PiecewiseScene, cell: usize, x: f64, [v, v1, v2, v3]: &[f
     [*v, *v1, v2 / 2.0 / e, v3 / 6.0 / e, given.load(cell, x) / 24.0 / e, load_slope / 120.0 / e]
 }
 
-/// Where the pieces meet that are computed from the two ends of a span: in its middle, or at a load that stands right beside one
-/// end. Nearly all of such a load goes into that end, and what is left of the shear force beyond it, a difference of nearly equal
-/// numbers there, is known from the other end.
+/// The position where the pieces computed from the two ends of a span meet: midspan, or a load very close to one end. Nearly all of
+/// such a load goes into that end. The rest of the shear force beyond it, a difference of nearly equal numbers there, is computed from
+/// the other end.
 fn meeting(given: &PiecewiseScene, span: &Span) -> f64 {
-    /// Share of the span; at this distance six of the digits of the shear force would be lost: what is left of it beyond the load
-    /// falls with the distance from an end that is free to turn.
+    /// Share of the span: at this distance six digits of the shear force would be lost. The rest of the load beyond it falls with the
+    /// distance from an end that is free to rotate.
     const BESIDE: f64 = 1e-6;
-    /// The same from an end that is not free to turn: with the square of the distance.
+    /// The same from an end that is not free to rotate: the rest falls with the square of the distance.
     const BESIDE_HELD: f64 = 1e-3;
     let (a, b) = (&span.a, &span.b);
     let [near_a, near_b] = [a, b].map(|end| {
@@ -219,7 +220,7 @@ fn meeting(given: &PiecewiseScene, span: &Span) -> f64 {
     let right = given.breakpoints_inside(b.x - near_b, b.x).find(|i| loaded(b, i));
     match (left, right) {
         (Some(i), None) | (None, Some(i)) => given.breakpoints[i].x,
-        // Beside both ends: at the larger one.
+        // Next to both ends: at the larger load.
         (Some(i), Some(j)) => {
             let largest = |from: f64, to: f64| {
                 let inside = given.breakpoints_inside(from, to);
@@ -232,10 +233,10 @@ fn meeting(given: &PiecewiseScene, span: &Span) -> f64 {
     }
 }
 
-/// The pieces of a span, from left to right: computed from both ends up to where they meet.
+/// The pieces of a span from left to right, computed from both ends up to their meeting position.
 pub(super) fn pieces_of(given: &PiecewiseScene, span: &Span, out: &mut Vec<Piece>) {
     let middle = meeting(given, span);
-    // The cells that the middle is in: two where it is a break.
+    // The cells at the meeting position: two if it is a break.
     let inside = &given.breakpoints[span.a.cell + 1..(span.b.cell + 1).max(span.a.cell + 1)];
     let [left, right] =
         [inside.partition_point(|j| j.x < middle), inside.partition_point(|j| j.x <= middle)].map(|i| span.a.cell + i);
@@ -264,7 +265,7 @@ pub(super) fn pieces_of(given: &PiecewiseScene, span: &Span, out: &mut Vec<Piece
     out[meeting..].reverse();
 }
 
-/// The beam by pieces, from end to end.
+/// The pieces of the beam, from end to end.
 pub(super) fn all_pieces(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Vec<Piece> {
     let mut pieces = Vec::with_capacity(2 * spans.len());
     let (mut next_span, mut next_zone) = (spans.iter().peekable(), list.zones());
@@ -280,13 +281,13 @@ pub(super) fn all_pieces(given: &PiecewiseScene, list: &List, spans: &[(usize, S
         }
     }
     if pieces.is_empty() {
-        // Nothing but zones that end before they start.
+        // There are only zones that end before they start.
         pieces_of_zone(given, 0.0, given.length, &mut pieces);
     }
     pieces
 }
 
-/// The pieces of a zone, in which the beam is the profile.
+/// The pieces of a zone, in which the beam follows the profile.
 pub(super) fn pieces_of_zone(given: &PiecewiseScene, from: f64, to: f64, out: &mut Vec<Piece>) {
     for cell in given.cell_from(from)..=given.cell_to(to) {
         let (lo, hi) = (given.cells[cell].lo.max(from), given.cells[cell].hi.min(to));

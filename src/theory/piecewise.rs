@@ -1,14 +1,14 @@
-//! Profile, supports and load by pieces: between breakpoints ("cells"), and what happens at the breakpoints. The profile is the gap
-//! `g = u − w0` between the ground and the undeflected beam, of a straight beam the ground itself.
+//! Profile, supports and load by pieces: between breakpoints ("cells"), and at the breakpoints. The profile is the gap `g = u − w0`
+//! between the foundation and the undeflected beam; for a straight beam it is the foundation itself.
 //!
-//! Everything is dimensionless, and forces and moments are over `EI₀`, the least bending stiffness. With `e(x) = EI/EI₀ ≥ 1`, which is
-//! the same between breakpoints,
+//! Everything is dimensionless, and forces and moments are divided by `EI₀`, the least bending stiffness. With `e(x) = EI/EI₀ ≥ 1`,
+//! which is constant between breakpoints,
 //!
 //! ```text
 //! state      v, v', e v'', e v'''          minus the latter two are moment and shear force: continuous wherever nothing acts
 //! beam       e v'''' = q − p
-//! joint      [v'] = w e v''                with its flexibility w = EI₀/k_j; of a hinge it is infinite
-//! clearance  h = g − v with h, h', e h'', e h''': where e changes below curved ground a couple [e] g'' and a load −[e] g''' act on it
+//! joint      [v'] = w e v''                with its flexibility w = EI₀/k_j; infinite for a hinge
+//! clearance  h = g − v with h, h', e h'', e h''': if e changes over a curved foundation a couple [e] g'' and a load −[e] g''' act on it
 //! ```
 
 mod along;
@@ -19,37 +19,37 @@ pub(super) use giving::AtSpring;
 use super::gauss::Gauss;
 use super::shape::Shape;
 
-/// Between two neighbouring breakpoints: profile and load are smooth here.
+/// The part between two neighbouring breakpoints: profile and load are smooth here.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Cell {
     /// Left end.
     pub(super) lo: f64,
     /// Right end.
     pub(super) hi: f64,
-    /// Which smooth piece of the profile: index into [`PiecewiseScene::shapes`].
+    /// The smooth piece of the profile: index into [`PiecewiseScene::shapes`].
     pub(super) shape: usize,
     /// Load at `lo`.
     pub(super) load: f64,
     /// Derivative of the load.
     pub(super) load_slope: f64,
-    /// `e`, the bending stiffness over the least one.
+    /// `e`, the bending stiffness divided by the least one.
     pub(super) stiffness: f64,
-    /// Stiffness of an elastic foundation over the greatest one, zero where there is none; one on rigid ground.
+    /// Stiffness of an elastic foundation divided by the greatest one, zero where there is none; one on a rigid foundation.
     pub(super) ground: f64,
 }
 
-/// A breakpoint, and the two ends of the beam.
+/// A breakpoint, or an end of the beam.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Breakpoint {
-    /// Where.
+    /// Position.
     pub(super) x: f64,
-    /// Depth of the profile; at a step the smaller one, and at a support that only pushes that of the support.
+    /// Depth of the profile; at a step the smaller one, and at a rigid compression-only support the depth of the support.
     pub(super) depth: f64,
     /// Point load.
     pub(super) force: f64,
-    /// By how much `e v''` jumps: a couple.
+    /// Jump of `e v''` caused by a couple.
     pub(super) couple: f64,
-    /// `w`, how flexible a joint is; zero where there is none.
+    /// `w`, the flexibility of a joint; zero where there is none.
     pub(super) joint: f64,
     /// Jump `u(x+) − u(x−)` of the depth.
     pub(super) step: f64,
@@ -58,30 +58,30 @@ pub(super) struct Breakpoint {
 }
 
 impl Breakpoint {
-    /// True if a force or a couple acts there.
+    /// Whether a force or a couple acts there.
     pub(super) fn is_loaded(&self) -> bool {
         self.force != 0.0 || self.couple != 0.0
     }
 }
 
-/// A support, and the ground beside it.
+/// A support, and the foundation next to it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct AtSupport {
-    /// The breakpoint where it is.
+    /// Its breakpoint.
     pub(super) breakpoint: usize,
-    /// `v` that it holds.
+    /// The prescribed `v`.
     pub(super) level: f64,
-    /// `v'` that it holds: where the beam is built in, and where ground that starts at its level on both sides leaves no other.
+    /// The prescribed `v'`: of a built-in support, or where a foundation at its level on both sides leaves no other slope.
     pub(super) slope: Option<f64>,
-    /// True if the beam is built in.
+    /// Whether the support is built in.
     pub(super) built_in: bool,
-    /// A spring against turning: its stiffness over `EI₀`, and the slope without moment.
+    /// A rotational spring: its stiffness over `EI₀`, and the slope at which its moment is zero.
     pub(super) turning: Option<[f64; 2]>,
-    /// Clearance below it, on its left and on its right.
+    /// Clearance on its left and on its right.
     pub(super) clearance: [f64; 2],
-    /// [`Held::tangent`](crate::scene::Held::tangent): true on a side where the beam can follow the ground from its level.
+    /// [`Held::tangent`](crate::scene::Held::tangent): whether the beam can follow the foundation from its level on each side.
     pub(super) tangent: [bool; 2],
-    /// The numbers that add up to the depth of the ground there: at the left end a polynomial is its first coefficient.
+    /// The size of the numbers that add up to the depth of the foundation there: at the left end a polynomial is its first coefficient.
     pub(super) size: f64,
 }
 
@@ -94,17 +94,17 @@ pub(super) struct PiecewiseScene {
     pub(super) cells: Vec<Cell>,
     /// One more than cells: breakpoint `i` is the left end of cell `i`.
     pub(super) breakpoints: Vec<Breakpoint>,
-    /// Where a run of cells ends over which the beam is one polynomial: breakpoints between two cells whose loads are not one line,
-    /// or at which a force acts or the beam changes, and on curved ground all of them; from left to right.
+    /// The ends of runs of cells over which the beam is one polynomial: breakpoints where the line of load changes, a force acts or the
+    /// beam changes, and on a curved foundation all breakpoints; from left to right.
     pub(super) run_ends: Vec<usize>,
     /// The largest kink of the profile, and its largest step.
     pub(super) roughest: [f64; 2],
-    /// The breakpoints at which the beam changes, its stiffness or a joint, or at which a spring acts. A span is divided there; from left
-    /// to right.
+    /// The breakpoints at which a span is divided: the stiffness changes, or a joint or an active spring is there, or with an axial
+    /// force all; from left to right.
     pub(super) divisions: Vec<usize>,
     /// The smooth pieces of the profile.
     pub(super) shapes: Vec<Shape>,
-    /// Where they end, but the last.
+    /// The ends of all smooth pieces except the last.
     pub(super) ends: Vec<f64>,
     /// Number of Taylor coefficients that describe profile and beam.
     pub(super) terms: usize,
@@ -112,29 +112,29 @@ pub(super) struct PiecewiseScene {
     pub(super) load_rule: Gauss,
     /// Exact for energies.
     pub(super) energy_rule: Gauss,
-    /// Resultant of all loads, those at the supports included.
+    /// Resultant of all loads, including loads at supports.
     pub(super) resultant: f64,
-    /// Magnitudes of all loads together, without those that stand on supports if there are others.
+    /// Sum of the magnitudes of all loads, without forces directly on supports.
     pub(super) total_load: f64,
-    /// The size of depths that carries their rounding where a beam may touch.
+    /// The size of depths whose rounding affects contact positions.
     pub(super) magnitude: f64,
-    /// True if there is ground below the beam. Without it clearances are those above the line at depth 0, and nothing is asked of them.
+    /// Whether there is a foundation below the beam. If not, clearances are measured from the line at depth 0 and are not checked.
     pub(super) founded: bool,
-    /// The breakpoints with a support that only pushes, each a point of the profile that stands alone above its sides; from left to
+    /// The breakpoints with a rigid compression-only support, each an isolated point of the profile above its two sides; from left to
     /// right.
     pub(super) bearings: Vec<usize>,
     /// From left to right.
     pub(super) supports: Vec<AtSupport>,
-    /// The supports that give, from left to right.
+    /// The elastic supports, from left to right.
     pub(super) springs: Vec<AtSpring>,
-    /// True if a support is a spring against turning.
+    /// Whether any support is a rotational spring.
     pub(super) turns: bool,
-    /// True for an end of the beam, left and right, without a support.
+    /// Whether each end of the beam, left and right, has no support.
     pub(super) free_ends: [bool; 2],
-    /// Stretches in which a zone of contact would pull at the beam, from left to right; a point load that does so is one
-    /// without length.
+    /// Stretches in which a contact zone would be in tension, from left to right; an upward point load is a stretch without length.
     pub(super) pulling: Vec<(f64, f64)>,
-    /// `N`, the axial force. Under one a span is divided at all breakpoints, and no cell is longer than [`super::tension`] can do with.
+    /// `N`, the axial force. With an axial force a span is divided at all breakpoints, and every cell is short enough for
+    /// [`super::tension`].
     pub(super) tension: f64,
 }
 
@@ -153,7 +153,7 @@ impl PiecewiseScene {
         [u, u1, 2.0 * u2 * e, 6.0 * u3 * e]
     }
 
-    /// `e u''` at `x` in `cell`, or `e u'''`: minus moment or shear force of a beam that follows the profile.
+    /// `e u''` at `x` in `cell`, or `e u'''`: minus the moment or shear force of a beam that follows the profile.
     pub(super) fn bent(&self, cell: usize, x: f64, order: usize) -> f64 {
         self.derivative(cell, x, order) * self.cells[cell].stiffness
     }
@@ -173,13 +173,15 @@ impl PiecewiseScene {
         c.load + c.load_slope * (x - c.lo)
     }
 
-    /// The load at a distance `t` from `lo`, a place in `cell`: over a few units in the last place it may change by all that it is.
+    /// The load at a distance `t` from the position `lo` in `cell`: over a few units in the last place the load may change by its full
+    /// size.
     pub(super) fn load_beyond(&self, cell: usize, lo: f64, t: f64) -> f64 {
         let c = &self.cells[cell];
         c.load + c.load_slope * ((lo - c.lo) + t)
     }
 
-    /// The cells from `first` to `last` in runs over straight ground under one line of load, each by its first and its last cell.
+    /// The cells from `first` to `last` in runs over a straight foundation under one line of load, each given by its first and its last
+    /// cell.
     pub(super) fn runs(&self, first: usize, last: usize) -> impl DoubleEndedIterator<Item = [usize; 2]> {
         let from = self.run_ends.partition_point(|&end| end <= first);
         let to = self.run_ends.partition_point(|&end| end <= last).max(from);
@@ -188,8 +190,8 @@ impl PiecewiseScene {
         (0..=ends.len()).map(move |i| [start(i), ends.get(i).map_or(last, |&end| end - 1)])
     }
 
-    /// The runs of [`Self::runs`] between two places in cells `first` and `last`, each with its first cell; without those of
-    /// no length.
+    /// The runs of [`Self::runs`] between two positions in cells `first` and `last`, each with its first cell, without runs of zero
+    /// length.
     pub(super) fn loaded(
         &self,
         [from, to]: [f64; 2],
@@ -211,7 +213,7 @@ impl PiecewiseScene {
         all.filter(|j| j.is_loaded())
     }
 
-    /// The resultant of the loads between `from` and `to`, without point loads at these two.
+    /// The resultant of the loads between `from` and `to`, without point loads at these two positions.
     pub(super) fn load_inside(&self, from: f64, to: f64) -> f64 {
         let (first, last) = (self.cell_from(from), self.cell_to(to));
         let mean = |(cell, [lo, hi]): (usize, [f64; 2])| 0.5 * (self.load(cell, lo) + self.load(cell, hi)) * (hi - lo);
@@ -219,35 +221,35 @@ impl PiecewiseScene {
         spread + self.forces_between(first, last).map(|j| j.force).sum::<f64>()
     }
 
-    /// True if the profile of a cell is a straight line.
+    /// Whether the profile of a cell is a straight line.
     pub(super) fn is_straight(&self, cell: usize) -> bool {
         self.shapes[self.cells[cell].shape].degree().is_some_and(|degree| degree < 2)
     }
 
-    /// The cell in which `x` lies; at a breakpoint the one to its right, at the right end the last one.
+    /// The cell that contains `x`; at a breakpoint the cell to its right, at the right end the last cell.
     pub(super) fn cell_from(&self, x: f64) -> usize {
         self.breakpoints.partition_point(|j| j.x <= x).saturating_sub(1).min(self.cells.len() - 1)
     }
 
-    /// The cell in which `x` lies; at a breakpoint the one to its left, at the left end the first one.
+    /// The cell that contains `x`; at a breakpoint the cell to its left, at the left end the first cell.
     pub(super) fn cell_to(&self, x: f64) -> usize {
         self.breakpoints.partition_point(|j| j.x < x).saturating_sub(1).min(self.cells.len() - 1)
     }
 
-    /// The cells to the right and to the left of `x`, which most likely lies in cell `near`.
+    /// The cells to the right and to the left of `x`; `near` is the cell that most likely contains `x`.
     pub(super) fn cells_at(&self, x: f64, near: usize) -> [usize; 2] {
         let c = &self.cells[near];
         if c.lo < x && x < c.hi { [near; 2] } else { [self.cell_from(x), self.cell_to(x)] }
     }
 
-    /// The cell into which a place at `x` moves that goes to the right or, of a negative `change`, to the left; `cell` itself where the
-    /// profile breaks in between.
+    /// The cell that a position at `x` enters when it moves to the right or, with a negative `change`, to the left; `cell` itself if
+    /// the profile breaks in between.
     pub(super) fn cell_ahead(&self, x: f64, cell: usize, change: f64) -> usize {
         let ahead = if change < 0.0 { self.cell_to(x) } else { self.cell_from(x) };
         if self.cells[ahead].shape == self.cells[cell].shape { ahead } else { cell }
     }
 
-    /// How far the profile of a cell goes up or down from one end to the other.
+    /// The difference of the profile between both ends of a cell, not negative.
     pub(super) fn rise(&self, cell: usize) -> f64 {
         let Cell { lo, hi, .. } = self.cells[cell];
         (self.derivative(cell, hi, 0) - self.derivative(cell, lo, 0)).abs()
@@ -263,14 +265,15 @@ impl PiecewiseScene {
         if left == right { depth } else { depth.min(self.derivative(right, x, 0)) }
     }
 
-    /// The cells to the left and to the right of breakpoint `i`; at an end of the beam both are the one inside.
+    /// The cells to the left and to the right of breakpoint `i`; at an end of the beam both are the cell inside.
     pub(super) fn cells_beside(&self, i: usize) -> [usize; 2] {
         [i.saturating_sub(1), i.min(self.cells.len() - 1)]
     }
 
-    /// True if the load is not one straight line across breakpoint `i`; at an end of the beam, if a point load or a couple is there.
+    /// Whether the load is not one straight line across breakpoint `i`; at an end of the beam, whether a point load or a couple acts
+    /// there.
     pub(super) fn load_changes_at(&self, i: usize) -> bool {
-        /// Rounding of a line that is evaluated in two cells.
+        /// Rounding of a line evaluated in two cells.
         const ROUNDING: f64 = 1e-9;
         let ([before, beyond], x) = (self.cells_beside(i), self.breakpoints[i].x);
         let (left, right) = (&self.cells[before], &self.cells[beyond]);
@@ -280,8 +283,8 @@ impl PiecewiseScene {
             || ROUNDING * (left.load.abs() + right.load.abs() + right.load_slope.abs() * self.length) < jump.max(turn)
     }
 
-    /// How far the profile turns from its slope at `a` to the chord from `a` to `b`, and from the chord to its slope at `b`;
-    /// `a` and `b` lie in cells `first` and `last`, a step at either of them is on its higher side.
+    /// The rotation of the profile from its slope at `a` to the chord from `a` to `b`, and from the chord to its slope at `b`. `a` and
+    /// `b` are in cells `first` and `last`; at a step the higher side counts.
     pub(super) fn turns(&self, [a, b]: [f64; 2], [first, last]: [usize; 2], even: bool) -> [f64; 2] {
         let stepped = |breakpoint: usize, x: f64| {
             self.breakpoints[breakpoint].x.total_cmp(&x).is_eq()
@@ -295,8 +298,8 @@ impl PiecewiseScene {
         [chord - self.derivative(first, a, 1), self.derivative(last, b, 1) - chord]
     }
 
-    /// From where to where the smooth piece of the profile reaches that `cell` belongs to, or to the next support if that is nearer:
-    /// no contact passes a support.
+    /// The extent of the smooth piece of the profile that `cell` belongs to, limited by the next support on each side: no contact
+    /// passes a support.
     pub(super) fn reach(&self, cell: usize) -> (f64, f64) {
         let shape = self.cells[cell].shape;
         let end = |shape: usize| self.ends.get(shape).copied().unwrap_or(self.length);
@@ -307,7 +310,7 @@ impl PiecewiseScene {
         (shape.checked_sub(1).map_or(0.0, end).max(from), end(shape).min(to))
     }
 
-    /// The size of depths that carries their rounding at `x`: of one polynomial what adds up to it there.
+    /// The size of depths whose rounding affects `x`: for a single polynomial the sum of its terms there.
     pub(super) fn magnitude_at(&self, x: f64) -> f64 {
         match self.shapes.as_slice() {
             [Shape::Line { origin, depth, slope }] => (depth.abs() + (slope * (x - origin)).abs()).min(self.magnitude),
@@ -318,7 +321,7 @@ impl PiecewiseScene {
         }
     }
 
-    /// The breakpoints between `a` and `b`, neither of them included.
+    /// The breakpoints between `a` and `b`, excluding both.
     pub(super) fn breakpoints_inside(&self, a: f64, b: f64) -> std::ops::Range<usize> {
         let first = self.breakpoints.partition_point(|j| j.x <= a);
         first..self.breakpoints.partition_point(|j| j.x < b).max(first)
@@ -330,7 +333,7 @@ impl PiecewiseScene {
         self.breakpoints.get(breakpoint).filter(|j| j.x <= x).map(|_| breakpoint)
     }
 
-    /// The breakpoint exactly at `x`, which most likely lies in cell `near`.
+    /// The breakpoint exactly at `x`, if there is one; `near` is the cell that most likely contains `x`.
     pub(super) fn exactly_at(&self, x: f64, near: usize) -> Option<usize> {
         let c = &self.cells[near];
         if c.lo < x && x < c.hi { None } else { self.breakpoint_at(x) }
@@ -341,32 +344,33 @@ impl PiecewiseScene {
         self.breakpoints.get(first + 1..=last).unwrap_or_default()
     }
 
-    /// True if breakpoint `i` is an end of the beam without a support.
+    /// Whether breakpoint `i` is an end of the beam without a support.
     pub(super) fn is_free_end(&self, i: usize) -> bool {
         self.free_ends[0] && i == 0 || self.free_ends[1] && i == self.cells.len()
     }
 
-    /// The support at breakpoint `i`, if there is one.
+    /// The index of the support at breakpoint `i`, if there is one.
     pub(super) fn support_at(&self, i: usize) -> Option<usize> {
         self.supports.binary_search_by_key(&i, |support| support.breakpoint).ok()
     }
 
-    /// True if a support that only pushes stands at breakpoint `i`.
+    /// Whether a rigid compression-only support is at breakpoint `i`.
     pub(super) fn is_bearing(&self, i: usize) -> bool {
         self.bearings.binary_search(&i).is_ok()
     }
 
-    /// The index of the support that only pushes at breakpoint `i`, if there is one: they come after those that hold the beam.
+    /// The index of the rigid compression-only support at breakpoint `i`, if there is one; these follow the supports that hold the
+    /// beam.
     pub(super) fn bearing_index(&self, i: usize) -> Option<usize> {
         self.bearings.binary_search(&i).ok().map(|bearing| self.supports.len() + bearing)
     }
 
-    /// True if there is something that the beam may touch.
+    /// Whether there is anything that the beam may touch.
     pub(super) fn has_obstacle(&self) -> bool {
         self.founded || !self.bearings.is_empty()
     }
 
-    /// How far the profile on the side of `cell` lies below breakpoint `i`, on which a beam rests.
+    /// The depth of the profile on the side of `cell` below breakpoint `i`, on which a beam rests.
     pub(super) fn height(&self, i: usize, cell: usize) -> f64 {
         let Breakpoint { x, depth, step, .. } = self.breakpoints[i];
         match cell < i {
@@ -376,13 +380,13 @@ impl PiecewiseScene {
         }
     }
 
-    /// True if the smooth piece of the profile ends at breakpoint `i`.
+    /// Whether a smooth piece of the profile ends at breakpoint `i`.
     pub(super) fn breaks_at(&self, i: usize) -> bool {
         0 < i && i < self.cells.len() && self.cells[i - 1].shape != self.cells[i].shape
     }
 
-    /// True if the beam can rest on breakpoint `i`: an edge, a kink that points upwards, or a support that only pushes. Its own free
-    /// end above ground is an edge as well, and so is a joint, its own kink.
+    /// Whether the beam can rest on breakpoint `i`: a step, a kink that points upwards, or a rigid compression-only support. Over a
+    /// foundation, a free end of the beam and a joint, which is a kink of the beam, count as well.
     pub(super) fn is_edge(&self, i: usize) -> bool {
         let corner = || self.breakpoints[i].step != 0.0 || 0.0 < self.breakpoints[i].kink;
         let joint = self.breakpoints[i].joint != 0.0;

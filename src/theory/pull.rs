@@ -1,5 +1,5 @@
-//! Where a zone of contact is possible, and where not: its pressure `q − e u'''' + N u''` must not be negative. Around a stretch where
-//! it would pull, the beam lifts off a foundation that it follows on both sides.
+//! Stretches where a contact zone is possible and where it is not: its pressure `q − e u'''' + N u''` must not be negative. Around a
+//! stretch in tension, the beam lifts off a foundation that it follows on both sides.
 
 use super::bernstein::{lowest_below, sign_changes};
 use super::divided;
@@ -7,7 +7,7 @@ use super::list::Node;
 use super::piecewise::PiecewiseScene;
 use super::span::{End, Span};
 
-/// Taylor coefficients of the pressure of a zone at the left end of `cell`.
+/// Taylor coefficients of the contact pressure at the left end of `cell`.
 pub(super) fn pressure(given: &PiecewiseScene, cell: usize) -> Vec<f64> {
     let c = &given.cells[cell];
     let mut taylor = vec![0.0; given.terms.max(6)];
@@ -32,9 +32,9 @@ pub(super) fn pressure(given: &PiecewiseScene, cell: usize) -> Vec<f64> {
     pressure
 }
 
-/// Stretches in which a zone would pull at the beam, from left to right; a point load that does so is one without length, and so is a
-/// couple, and so is a change of the bending stiffness on curved ground: the moment of a beam that follows the ground does not jump, and
-/// the stiffer part of it would need the larger one.
+/// Stretches in which a zone would be in tension, from left to right. An upward point load and a couple are stretches without length.
+/// So is a change of the bending stiffness on a curved foundation: the moment of the beam does not jump, but a beam that follows the
+/// foundation would need a larger moment in its stiffer part.
 pub(super) fn pulling_stretches(given: &PiecewiseScene) -> Vec<(f64, f64)> {
     /// Rounding of `q` and `u''''` against each other.
     const ROUNDING: f64 = 1e-13;
@@ -72,8 +72,8 @@ pub(super) fn pulling_stretches(given: &PiecewiseScene) -> Vec<(f64, f64)> {
     found
 }
 
-/// How much a zone would pull on the average between `lo` and `hi`, or at these two; a point load that pulls, or a couple, spread over
-/// the beam, if there is one.
+/// The largest of three tensions of a zone: the mean between `lo` and `hi`, the value at these two, and an upward point load or a
+/// couple between them, spread over the beam.
 pub(super) fn mean_pull(given: &PiecewiseScene, lo: f64, hi: f64) -> f64 {
     let (first, last) = (given.cell_from(lo), given.cell_to(hi).max(given.cell_from(lo)));
     let [from, behind] =
@@ -97,7 +97,7 @@ pub(super) fn mean_pull(given: &PiecewiseScene, lo: f64, hi: f64) -> f64 {
     point.max(sum / (hi - lo)).max(given.drive(first, lo)).max(given.drive(last, hi))
 }
 
-/// The ends of a zone from `from` to `to`, and of the gaps in it around every stretch where it would pull.
+/// The ends of a zone from `from` to `to`, and of the gaps in it around every stretch in tension.
 pub(super) fn zones_between(given: &PiecewiseScene, [from, to]: [f64; 2]) -> Vec<Node> {
     let mut nodes = Vec::new();
     let mut add = |start: f64, end: f64| {
@@ -117,14 +117,14 @@ pub(super) fn zones_between(given: &PiecewiseScene, [from, to]: [f64; 2]) -> Vec
     nodes
 }
 
-/// A gap that is somewhat too wide, around a stretch that lifts the beam off between two zones.
+/// A slightly too wide gap around a stretch that lifts the beam off between two zones.
 ///
-/// With `h = h' = h'' = 0` at both ends the fixed-end moments of the gap vanish. In a gap that is too narrow they would
-/// open it, and Newton's method closes it altogether: no gap is a solution of the equations as well.
+/// With `h = h' = h'' = 0` at both ends the fixed-end moments of the gap vanish. In a gap that is too narrow they would open it, but
+/// Newton's method closes it completely, because no gap satisfies the equations as well.
 fn gap_around(given: &PiecewiseScene, [lo, hi]: [f64; 2], [least, most]: [f64; 2]) -> [f64; 2] {
-    /// Each try is wider by this factor, on the side that is too narrow.
+    /// Growth factor of the margin on the side that is too narrow.
     const WIDER: f64 = 1.3;
-    /// From a thousand-millionth of the beam to the whole of it, on either side.
+    /// Maximum number of tries: from 10⁻⁹ of the beam to the whole of it, on either side.
     const TRIES: u32 = 150;
     let mut margin = margin_of_couple(given, lo, hi).unwrap_or([(0.1 * (hi - lo)).max(1e-9 * given.length); 2]);
     let mut gap = [lo, hi];
@@ -144,8 +144,8 @@ fn gap_around(given: &PiecewiseScene, [lo, hi]: [f64; 2], [least, most]: [f64; 2
     gap
 }
 
-/// Somewhat more than the parts of the gap that a couple `C`, or a change of the stiffness by `C/g''`, makes under a pressure `p`, on the
-/// left and on the right of it, of the whole
+/// Slightly more than the two parts of the gap that a couple `C`, or a change of the stiffness by `C/g''`, causes under a pressure `p`,
+/// to its left and right. Its length and parts are
 ///
 /// ```text
 /// ℓ² = 2√3 |C|/p,     (3 + √3)/6 ℓ and (3 − √3)/6 ℓ
@@ -153,7 +153,7 @@ fn gap_around(given: &PiecewiseScene, [lo, hi]: [f64; 2], [least, most]: [f64; 2
 ///
 /// which is exact as `C → 0`: at both ends `h'' = 0`.
 fn margin_of_couple(given: &PiecewiseScene, lo: f64, hi: f64) -> Option<[f64; 2]> {
-    /// By how much each part is longer.
+    /// Factor by which each part is longer.
     const MORE: f64 = 1.05;
     let at = given.breakpoint_at(lo).filter(|_| hi <= lo)?;
     let [_, cell] = given.cells_beside(at);
@@ -165,7 +165,7 @@ fn margin_of_couple(given: &PiecewiseScene, lo: f64, hi: f64) -> Option<[f64; 2]
     (0.0 < length && length.is_finite()).then_some(margin)
 }
 
-/// The span that bridges a gap, resting on the profile at both ends.
+/// The span across a gap, in contact with the profile at both ends.
 fn across(given: &PiecewiseScene, [from, to]: [f64; 2]) -> Span {
     let ends = [End::resting(from, given.cell_from(from)), End::resting(to, given.cell_to(to))];
     let divisions = given.divisions_between(from, to);

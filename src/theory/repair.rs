@@ -1,8 +1,8 @@
-//! What to try next when a list of contacts fails its check: each fault has its repair.
+//! The next list when a contact list fails its check: each fault has its repair.
 //!
-//! A point that pulls goes, one at which the beam bends more than the profile becomes a zone, and where the beam penetrates
-//! the profile deepest it touches. Two contacts that cannot be two are one zone afterwards ([`super::normal::merged`]).
-//! What pulls inside a zone or at a support, the next guess of the chain leaves out.
+//! A point in tension is removed. A point at which the beam bends more than the profile becomes a zone. Where the beam penetrates the
+//! profile deepest, a contact is added. Contacts that cannot be separate are joined to one zone ([`super::normal::merged`]). What is in
+//! tension inside a zone or at a support is left to the next guess of the chain.
 
 use super::check::Check;
 use super::list::{List, Node};
@@ -14,7 +14,7 @@ use super::span::{EndCondition, Span};
 use super::violation::Violation;
 use crate::certificate::Slope;
 
-/// The list with these faults repaired as far as each of them says how.
+/// The list with those faults repaired that have a repair.
 pub(super) fn repaired(given: &PiecewiseScene, list: &List, checked: &Check, faults: &[(usize, Violation)]) -> List {
     let mut repair = Repair { given, list, checked, keep: vec![true; list.nodes.len()], added: Vec::new() };
     let found = Found::of(faults, list.nodes.len());
@@ -34,7 +34,7 @@ pub(super) fn repaired(given: &PiecewiseScene, list: &List, checked: &Check, fau
     }
     let Repair { keep, added, .. } = repair;
     let kept = |(i, node): (usize, &Node)| {
-        // What is left at a support of a zone whose start has gone holds no slope.
+        // If the start of a zone was removed, its end at a support no longer fixes the slope.
         let lost = list.in_zone_before(i) && !keep[i - 1] && node.slope == (Slope::OfGround { from_the_left: true });
         let slope = if lost { Slope::Free(0.0) } else { node.slope };
         match node.support(given) {
@@ -47,21 +47,22 @@ pub(super) fn repaired(given: &PiecewiseScene, list: &List, checked: &Check, fau
     merged(given, &nodes)
 }
 
-/// True if the span before node `i` is divided: each of its parts has its deepest place, and the span touches at one first.
+/// Whether the span before node `i` is divided: each of its parts has a deepest position, and the deepest of all becomes a contact
+/// first.
 fn is_divided(checked: &Check, i: usize) -> bool {
     1 < parts_before(&checked.spans, i).len()
 }
 
-/// What of the faults a repair asks for at other nodes; a list may have hundreds of thousands.
+/// Faults at other nodes that a repair needs to know; a list may have hundreds of thousands.
 struct Found {
-    /// Whether a zone would end before it starts, by its first node.
+    /// Whether a zone would end before it starts, indexed by its first node.
     inverted: Vec<bool>,
-    /// How deep the beam is in the ground in the span before a node.
+    /// The deepest penetration in the span before each node.
     depths: Vec<f64>,
 }
 
 impl Found {
-    /// Of a list with so many nodes.
+    /// Collects the faults of a list with this number of nodes.
     fn of(faults: &[(usize, Violation)], nodes: usize) -> Self {
         let mut found = Self { inverted: vec![false; nodes + 1], depths: vec![0.0; nodes + 1] };
         for &(i, fault) in faults {
@@ -74,25 +75,25 @@ impl Found {
         found
     }
 
-    /// True if the zone beside the span before node `i` would end before it starts.
+    /// Whether a zone next to the span before node `i` would end before it starts.
     fn is_inverted_beside(&self, i: usize) -> bool {
         self.inverted[i.saturating_sub(2)..=i].contains(&true)
     }
 }
 
-/// A list and what becomes of it.
+/// A list and its changes.
 struct Repair<'a> {
     given: &'a PiecewiseScene,
     list: &'a List,
     checked: &'a Check,
-    /// Which of its nodes are kept; supports always are.
+    /// Whether each node is kept; supports always are.
     keep: Vec<bool>,
-    /// Additions, in any order.
+    /// Added nodes, in any order.
     added: Vec<Node>,
 }
 
 impl Repair<'_> {
-    /// A point that pulls goes. The end of a zone moves by itself when others have changed.
+    /// Removes a point in tension. The end of a zone moves by itself after other changes.
     fn pull(&mut self, i: usize) {
         if self.list.nodes[i].is_tip(self.given) {
             self.lift_tip(i);
@@ -101,7 +102,7 @@ impl Repair<'_> {
         }
     }
 
-    /// A zone that would end before it starts is a point between.
+    /// Replaces a zone that would end before it starts by a point between.
     fn inverted(&mut self, i: usize) {
         let [start, end] = [self.list.nodes[i], self.list.nodes[i + 1]];
         (self.keep[i], self.keep[i + 1]) = (false, false);
@@ -112,7 +113,7 @@ impl Repair<'_> {
         }
     }
 
-    /// A zone lifts off around what pulls in it.
+    /// Adds gaps to a zone around its stretches in tension.
     fn pull_along(&mut self, i: usize) {
         let Some([start, end]) = self.list.nodes.get(i - 1..=i) else { return };
         let parts = zones_between(self.given, [start.x, end.x]);
@@ -122,8 +123,8 @@ impl Repair<'_> {
         self.added.extend(gaps);
     }
 
-    /// A zone over a joint above curved ground has a gap there. Above a crest the beam lifts off with the joint, in a dish the joint
-    /// is what touches.
+    /// Adds a gap to a zone over a joint above a curved foundation. Above a crest the beam lifts off at the joint; in a hollow the
+    /// joint touches.
     fn broken(&mut self, i: usize, at: f64) {
         let given = self.given;
         let Some(joint) = given.breakpoint_at(at).filter(|&joint| given.breakpoints[joint].joint != 0.0) else {
@@ -145,7 +146,7 @@ impl Repair<'_> {
         }
     }
 
-    /// The profile bulges into the beam from both sides of the point: it carries a zone, unless that would pull.
+    /// Replaces a point by a zone, because the profile bulges into the beam on both sides, unless the zone would be in tension.
     fn curvature_gap(&mut self, i: usize) {
         let Node { x, cell, .. } = self.list.nodes[i];
         if let Some(index) = self.list.nodes[i].support(self.given) {
@@ -165,10 +166,10 @@ impl Repair<'_> {
         self.added.push(Node::end(x + half, cell));
     }
 
-    /// The profile bulges into the beam beside a support: it carries a zone up to it, or a point where a zone would pull. Beside
-    /// the support the clearance is `h'' t²/2 + h''' t³/6`.
+    /// Adds a zone next to a support, because the profile bulges into the beam there, or a point where a zone would be in tension. Next
+    /// to the support the clearance is `h'' t²/2 + h''' t³/6`.
     fn bulge_at_support(&mut self, i: usize, index: usize) {
-        // Both sides at once, and not once more: supports are kept in any case.
+        // Both sides are treated at once and only once: supports are kept in any case.
         if !std::mem::take(&mut self.keep[i]) {
             return;
         }
@@ -196,7 +197,7 @@ impl Repair<'_> {
         }
     }
 
-    /// A zone that reaches an edge as far as can be told carries what the edge would.
+    /// Removes an edge that a zone reaches as closely as can be resolved: the zone carries its force.
     fn unresolved(&mut self, i: usize) {
         let nodes = &self.list.nodes;
         let beside = [i.checked_sub(1), (i < nodes.len()).then_some(i)];
@@ -204,7 +205,7 @@ impl Repair<'_> {
             for node in beside.into_iter().flatten().filter(|&node| nodes[node].is_edge(self.given)) {
                 self.keep[node] = false;
             }
-            // A zone may begin or end with a hinge on straight ground: it turns there without a moment.
+            // A zone may begin or end with a hinge on a straight foundation: the beam rotates there without a moment.
             let zone = beside.into_iter().flatten().find(|&node| nodes[node].is_of_zone());
             let edge = beside.into_iter().flatten().find(|&node| nodes[node].is_edge(self.given));
             let hinge = edge.and_then(|edge| nodes[edge].breakpoint).filter(|&i| {
@@ -217,8 +218,9 @@ impl Repair<'_> {
         }
     }
 
-    /// A zone that reaches a free end lifts off before it, if it pulls there, the ground is bent or a couple acts. In a hollow, which bends
-    /// the other way than the overhang, the end of the beam touches besides, and so it does where a couple bends it more than the ground.
+    /// Lets a zone lift off before it reaches a free end, if it is in tension there, the foundation is curved or a couple acts. The end
+    /// of the beam touches in addition in a hollow, whose curvature is opposite to the overhang, and where a couple bends it more than
+    /// the foundation.
     fn lift_tip(&mut self, i: usize) {
         let (given, nodes) = (self.given, &self.list.nodes);
         let Some(&tip) = nodes.get(i).filter(|node| node.is_tip(given)) else { return };
@@ -234,7 +236,7 @@ impl Repair<'_> {
         }
     }
 
-    /// The beam penetrates the foundation in the span before node `i`, deepest at `at`.
+    /// Adds a contact where the beam penetrates the foundation in the span before node `i`, deepest at `at`.
     fn penetration(&mut self, i: usize, at: f64) {
         let last = || parts_before(&self.checked.spans, i).last().map(|(_, span)| span);
         let Some(span) = part_at(&self.checked.spans, i, at).or_else(last) else { return };
@@ -242,7 +244,7 @@ impl Repair<'_> {
             self.added.push(edge_node(self.given, breakpoint));
             return;
         }
-        // The beam leaves an edge beside it on the wrong side: it touches the slope there instead.
+        // If the beam leaves a neighbouring edge on the wrong side, it touches the slope there instead.
         let neighbours = [(i.checked_sub(1), span.a.x, span.at_a[1]), (Some(i), span.b.x, -span.at_b[1])];
         let joins = |node: &Node| node.breakpoint.is_some_and(|at| self.given.breakpoints[at].joint != 0.0);
         let is_edge = |node: &Node| node.is_edge(self.given) && node.is_ground(self.given) && !joins(node);
@@ -258,16 +260,16 @@ impl Repair<'_> {
     }
 }
 
-/// Somewhat more than half of the gap that a joint makes where a beam follows curved ground under a pressure `p`. With `n = e |g''|` the
-/// joint turns by `θ = w (n − p ℓ²/2)` above a crest and by `w (n − p ℓ²/4)` in a dish, where it touches, and
+/// Slightly more than half of the gap that a joint causes where a beam follows a curved foundation under a pressure `p`. With
+/// `n = e |g''|` the joint rotates by `θ = w (n − p ℓ²/2)` above a crest and by `w (n − p ℓ²/4)` in a hollow, where it touches, and
 ///
 /// ```text
-/// e θ = 2 p ℓ³/3   above a crest,     e θ = p ℓ³/12   in a dish
+/// e θ = 2 p ℓ³/3   above a crest,     e θ = p ℓ³/12   in a hollow
 /// ```
 ///
-/// Of a stiff joint the first term of `θ` is all of it, of a hinge the bracket is nothing: `ℓ` is less than either says.
+/// For a stiff joint the first term of `θ` dominates; for a hinge the bracket vanishes. `ℓ` is less than either limit.
 fn gap_at(given: &PiecewiseScene, joint: usize) -> Option<f64> {
-    /// By how much it is longer.
+    /// Factor by which the gap is longer.
     const MORE: f64 = 1.05;
     let x = given.breakpoints[joint].x;
     let [_, cell] = given.cells_beside(joint);

@@ -1,12 +1,12 @@
-//! On which supports that only push a rigid beam rests, above nothing else: where a chain of links is lost, because levels differ by
-//! far more than the beam bends, that is where to start.
+//! The compression-only supports on which a rigid beam rests, where nothing else is below it. They are a starting list where the chain
+//! of links fails, because the levels differ by far more than the beam bends.
 
 use super::list::List;
 use super::normal::{edge_node, merged};
 use super::overhang::Overhang;
 use super::piecewise::PiecewiseScene;
 
-/// Lists to start from: what a rigid beam touches, and all that there is.
+/// Two starting lists: the supports that a rigid beam touches, and all supports.
 pub(super) fn lists(given: &PiecewiseScene) -> [List; 2] {
     [rigid(given), given.bearings.clone()].map(|bearings| {
         let mut nodes = List::free(given).nodes;
@@ -16,16 +16,17 @@ pub(super) fn lists(given: &PiecewiseScene) -> [List; 2] {
     })
 }
 
-/// Of all lines that are nowhere below one of the supports the one that is deepest where the loads have their resultant: it goes
-/// through two of them, or through one and the support that holds the beam.
+/// The supports under a rigid beam. Of all lines that are nowhere below a support it follows the one that is deepest at the resultant
+/// of the loads. This line passes through two compression-only supports, or through one and the support that holds the beam.
 fn rigid(given: &PiecewiseScene) -> Vec<usize> {
     let place = |&i: &usize| (given.breakpoints[i].x, given.breakpoints[i].depth);
-    // The loads turn the beam about its right end by this.
+    // The moment of the loads about the right end of the beam.
     let turn = Overhang::of(given, given.length, true).moment;
     match given.supports.as_slice() {
         [] => {
             let at = given.length - turn / given.resultant;
-            // The corners of the lower hull, from left to right: of three in turn the middle one is below the line of the others.
+            // The corners of the lower hull from left to right: the middle of three consecutive ones is below the line through the
+            // other two.
             let mut hull: Vec<usize> = Vec::new();
             for i in &given.bearings {
                 while let [.., a, b] = &hull[..]

@@ -1,34 +1,34 @@
-//! Whether there is memory for an exact solution, asked as the need for it is found: a few points of a survey may carry, or all.
+//! Memory limits of an exact solution, checked as the need arises: a few points of a survey may carry the beam, or all.
 
 use super::piecewise::PiecewiseScene;
 use super::solve::TheoryError;
 use crate::memory::can_be_had;
 
-/// What an exact solution may take, in bytes.
+/// Maximum memory of an exact solution, in bytes.
 pub(super) const MEMORY: usize = 4 << 30;
-/// For each point of a profile: 203 bytes were measured at 10⁶ points of which five carry, certificate included, and 420 with a figure.
+/// Per point of a profile: 203 bytes were measured at 10⁶ points of which five carry, certificate included, and 420 with a figure.
 const BYTES_PER_POINT: usize = 420;
-/// For each sample in a chain, beside its point: 200 to 250 bytes were measured where 10⁶ cells have three each.
+/// Per sample in a chain, in addition to its point: 200 to 250 bytes were measured where 10⁶ cells have three each.
 const BYTES_PER_SAMPLE: usize = 270;
-/// For each contact, beside its point: 1,850 bytes for both were measured where nearly all of 10⁵ points carry.
+/// Per contact, in addition to its point: 1,850 bytes for both were measured where nearly all of 10⁵ points carry.
 const BYTES_PER_CONTACT: usize = 1650;
 
-/// Refused if there is no memory for so many points.
+/// Checks the memory for this number of points.
 pub(super) fn for_points(count: usize) -> Result<(), TheoryError> {
     taken(0, [count, BYTES_PER_POINT])
 }
 
-/// Refused if there is no memory for so many samples, beside the points.
+/// Checks the memory for this number of samples, in addition to the points.
 pub(super) fn for_samples(given: &PiecewiseScene, count: usize) -> Result<(), TheoryError> {
     taken(given.breakpoints.len(), [count, BYTES_PER_SAMPLE])
 }
 
-/// Refused if there is no memory for so many contacts, beside the points.
+/// Checks the memory for this number of contacts, in addition to the points.
 pub(super) fn for_contacts(given: &PiecewiseScene, count: usize) -> Result<(), TheoryError> {
     taken(given.breakpoints.len(), [count, BYTES_PER_CONTACT])
 }
 
-/// Refused if `count` things of so many bytes are too much beside the `points`, or if the system does not have them.
+/// Fails if `count` items of `bytes` bytes in addition to the `points` exceed [`MEMORY`], or if the system does not provide them.
 fn taken(points: usize, [count, bytes]: [usize; 2]) -> Result<(), TheoryError> {
     let all = count.saturating_mul(bytes).saturating_add(points.saturating_mul(BYTES_PER_POINT));
     if all <= MEMORY && can_be_had(count, bytes) {

@@ -1,9 +1,9 @@
-//! Finding the list of contacts.
+//! Search for the contact list.
 //!
-//! A chain of links above samples of the profile proposes contacts, Newton's method computes their places, and all conditions are
-//! checked. What fails its check changes the list. Where that ends without an answer, the chain gets more samples near its contacts
-//! and where the check failed. Lists of a scene near by, of a rigid beam at rest and without contact are tried besides. A list that
-//! passes is looked at once more ([`super::close`]).
+//! A chain of links above samples of the profile proposes contacts, Newton's method computes their positions, and all conditions are
+//! checked. A list that fails its check is repaired. If repairs end without an answer, the chain gets more samples near its contacts
+//! and where the check failed. The search also tries lists of a neighbouring scene, of a rigid beam at rest and without contact. A list
+//! that passes is checked once more closely ([`super::close`]).
 
 use super::check::{Check, check};
 use super::close::closer;
@@ -18,27 +18,27 @@ use super::room;
 use super::solve::TheoryError;
 use super::violation::Violation;
 
-/// Links of the first chain, more at the breaks of the profile. *Tuned* on random and hostile scenes: with 6 or with 24 three or four of
-/// 700 hostile ones are lost.
+/// Number of links of the first chain; breaks of the profile add more. *Tuned* on random and hostile scenes: with 6 or with 24 three or
+/// four of 700 hostile ones are lost.
 const LINKS: u32 = 12;
-/// A first chain of more samples than this is refined before its first list: what there is to find is finer than its links. With half or
-/// twice as many no fewer of 1,700 random and hostile scenes are certified.
+/// Number of samples above which the first chain is refined before its first list, because the contacts are finer than its links. With
+/// half or twice as many no fewer of 1,700 random and hostile scenes are certified.
 const ENOUGH: usize = 40;
-/// Guesses at most, each with samples four times as fine. *Tuned* on hostile scenes: with half as many one of 700 is lost.
+/// Maximum number of guesses, each with samples four times as fine. *Tuned* on hostile scenes: with half as many one of 700 is lost.
 const GUESSES: usize = 12;
-/// The same of a profile that is [`LONG`] and so fine already.
+/// The same for a profile that is [`LONG`] and therefore fine already.
 const GUESSES_OF_LONG: usize = 4;
-/// Samples of all guesses together at most, beside those of [`MULTIPLE`]: some 0.6 s, of which 38,000 take 0.11 s.
+/// Maximum number of samples of all guesses together, in addition to [`MULTIPLE`]: about 0.6 s, where 38,000 samples take 0.11 s.
 const MOST_SAMPLES: usize = 200_000;
-/// How many times the samples of the first guess the others may have besides: a search costs in proportion to its scene.
+/// Further samples allowed, as a multiple of the samples of the first guess: the cost of a search is in proportion to its scene.
 const MULTIPLE: usize = 10;
-/// Lists at most that come from one guess. With a third of them no fewer of 700 random and hostile scenes are certified: a finer guess
+/// Maximum number of lists from one guess. With a third of them no fewer of 700 random and hostile scenes are certified: a finer guess
 /// makes up for them.
 const ROUNDS: usize = 10;
-/// Lists at most that come from the list of a scene beside this one: after a step of a sweep it is the same, or a repair or two away.
+/// Maximum number of lists from the list of a neighbouring scene: after a step of a sweep it is the same, or one or two repairs away.
 const ROUNDS_FROM_NEAR: usize = 3;
-/// Lists that have no fewer faults than one before, after which a finer guess is better; one for which Newton's method does
-/// not converge counts three times. With half of them no fewer of the same are certified.
+/// Number of lists without fewer faults than an earlier list, after which a finer guess is better. A list for which Newton's method
+/// does not converge counts three times. With half of them no fewer of the same scenes are certified.
 const STRIKES: usize = 6;
 
 /// The best list that was found.
@@ -46,25 +46,25 @@ const STRIKES: usize = 6;
 pub(super) struct Candidate {
     /// The list.
     pub(super) list: List,
-    /// What follows from it.
+    /// The check of the list.
     pub(super) checked: Check,
-    /// Newton steps, those of lists that were tried before included.
+    /// Number of Newton steps, including steps on lists that were tried before.
     pub(super) steps: usize,
-    /// Lists that were tried, this one included.
+    /// Number of lists that were tried, including this one.
     pub(super) lists: usize,
-    /// Samples of the chains that were solved for all of these lists, once the search has ended.
+    /// Number of samples of the chains solved for all of these lists, set at the end of the search.
     pub(super) samples: usize,
-    /// True if Newton's method converged for the list.
+    /// Whether Newton's method converged for the list.
     pub(super) converged: bool,
 }
 
 impl Candidate {
-    /// True if every condition holds.
+    /// Whether every condition is satisfied.
     pub(super) fn solved(&self) -> bool {
         self.checked.faults.is_empty() && self.converged
     }
 
-    /// The same with what supports that give and only push violate.
+    /// The same candidate with the faults of the elastic compression-only supports.
     pub(super) fn with(mut self, wrong: Vec<(usize, Violation)>) -> Self {
         if !wrong.is_empty() {
             self.checked.worst = f64::INFINITY;
@@ -73,7 +73,7 @@ impl Candidate {
         self
     }
 
-    /// The better of two: one that is solved, one that converged, the one that violates less. The work is that of both.
+    /// The better of two candidates: solved before converged, then the smaller violation. The work of both is added up.
     pub(super) fn better(self, other: Self) -> Self {
         let rank = |f: &Self| u8::from(f.solved()) + u8::from(f.converged);
         let better = rank(&self).cmp(&rank(&other)).then(other.checked.worst.total_cmp(&self.checked.worst));
@@ -85,22 +85,22 @@ impl Candidate {
 /// The beam without contact.
 fn free(given: &PiecewiseScene) -> Candidate {
     let mut list = List::free(given);
-    // Slopes over inner supports are unknown even so.
+    // The slopes over inner supports are still unknown.
     let run = newton::solve(given, &mut list);
     let checked = check(given, &list);
     Candidate { list, checked, steps: run.steps, lists: 1, samples: 0, converged: run.converged }
 }
 
-/// The exact solution, looked for from lists `near` it first, in turn.
+/// The exact solution; the search first starts from each list in `near`.
 ///
-/// The work is bounded by `GUESSES · ROUNDS` lists, [`ROUNDS_FROM_NEAR`] more for each list `near`, those of a beam at rest and those
-/// of the closer look, and by a multiple of the samples of the first guess, which are a few for each piece of the scene.
+/// The work is bounded by `GUESSES · ROUNDS` lists, [`ROUNDS_FROM_NEAR`] more for each list in `near`, the lists of a beam at rest and
+/// of the close check, and by a multiple of the samples of the first guess, which are a few for each piece of the scene.
 ///
 /// # Errors
 ///
 /// [`TheoryError::NoMemory`] for more samples or contacts than there is memory for.
 pub(super) fn search(given: &PiecewiseScene, near: impl Iterator<Item = List>) -> Result<Candidate, TheoryError> {
-    // On a profile of so many cells a guess, which may be the free beam, is cheaper than this check, which most beams fail.
+    // On such a long profile a guess, which may be the free beam, is cheaper than this check, which most beams fail.
     let is_long = LONG < given.cells.len();
     let nothing = !given.has_obstacle();
     let mut best = (nothing || !is_long).then(|| free(given));
@@ -124,7 +124,7 @@ pub(super) fn search(given: &PiecewiseScene, near: impl Iterator<Item = List>) -
     }
     let mut taken = samples.count();
     let mut left = MULTIPLE * taken + MOST_SAMPLES;
-    // Of samples at single places a chain says all that it can at once.
+    // For isolated compression-only supports one chain gives all that a chain can give.
     let guesses = match (given.founded, is_long) {
         (false, _) => 1,
         (true, true) => GUESSES_OF_LONG,
@@ -161,7 +161,7 @@ pub(super) fn search(given: &PiecewiseScene, near: impl Iterator<Item = List>) -
     Ok(Candidate { samples: taken, ..found })
 }
 
-/// The better of what was found before, if anything was, and of a list.
+/// The better of an earlier candidate, if there is one, and a new one.
 fn better(before: Option<Candidate>, found: Candidate) -> Candidate {
     match before {
         Some(before) => before.better(found),
@@ -169,8 +169,8 @@ fn better(before: Option<Candidate>, found: Candidate) -> Candidate {
     }
 }
 
-/// The best of what was found before and of up to `rounds` lists, each with the faults of the one before repaired, `list` the first
-/// of them; `places` are where the faults were.
+/// The best of an earlier candidate and up to `rounds` lists. The first is `list`; each next one repairs the faults of the one before.
+/// The positions of faults are added to `places`.
 fn with_repairs(
     given: &PiecewiseScene,
     mut list: List,
@@ -183,7 +183,7 @@ fn with_repairs(
         room::for_contacts(given, list.nodes.len())?;
         let run = newton::solve(given, &mut list);
         let normal = merged(given, &list.nodes);
-        // Without the nodes that made no sense the equations are others: Newton's method has not solved them.
+        // Without the invalid nodes the equations change, and Newton's method has not solved the new ones.
         let changed = normal != list;
         let checked = check(given, &normal);
         let converged = run.converged && !changed;
@@ -191,7 +191,7 @@ fn with_repairs(
         if found.solved() {
             return Ok(Some(better(best, closer(given, found))));
         }
-        // What fails of a list that was not solved says nothing.
+        // Faults of a list that was not solved mean nothing.
         list = match changed {
             true => found.list.clone(),
             false => repaired(given, &found.list, &found.checked, &found.checked.faults),

@@ -1,17 +1,17 @@
-//! How an exact answer changes with a number of its scene: the implicit function theorem for the equations of its list.
+//! Derivatives of an exact answer with respect to a number of its scene: the implicit function theorem for the equations of its list.
 //!
-//! The change `w = ∂v/∂λ` is a beam by itself, on the same nodes, `w'''' = ∂q/∂λ`. What the nodes do to it follows from
-//! differentiating their equations along with their places `z(λ)`:
+//! The change `w = ∂v/∂λ` is a beam on the same nodes with `w'''' = ∂q/∂λ`. Its conditions at the nodes follow by differentiating their
+//! equations along with their positions `z(λ)`:
 //!
 //! ```text
-//! smooth point   w = ∂g,  z' = w'/h'',   w''(z+) − w''(z−) = R z'     a spring of stiffness R/h'' against turning
+//! smooth point   w = ∂g,  z' = w'/h'',   w''(z+) − w''(z−) = R z'     a rotational spring of stiffness R/h''
 //! end of a zone  w = ∂g,  w' = 0,        z' = w''/h''' in the span
 //! edge           w = ∂g,  w'' the same on both sides
 //! support        w = ∂d,  w'' the same on both sides, or w' = ∂φ where it is built in
 //! force          R' = w'''(z−) − w'''(z+) + (p(z+) − p(z−)) z'     p the pressure of a zone, elsewhere zero
 //! ```
 //!
-//! The load is not among what moves with a node: one that starts or ends there, or stands there, stays where it is.
+//! The load does not move with a node: a load that starts, ends or acts at a node keeps its position.
 //!
 //! So the slopes `w'` at the nodes solve one tridiagonal system, with Newton's matrix (module `newton`) in other unknowns.
 
@@ -21,39 +21,39 @@ use super::piecewise::PiecewiseScene;
 use super::span::{Span, fixed_end_of_load};
 use super::tridiagonal::{factored, solved};
 
-/// What changes, dimensionless and over `EI`.
+/// The change of a number, dimensionless and over `EI`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Change {
-    /// The ground under all contacts goes down by one.
+    /// The foundation under all contacts moves down by one.
     Ground,
     /// The same under the nodes from one index to another.
     GroundUnder(usize, usize),
-    /// All loads shrink by their own size.
+    /// All loads decrease by their own size.
     Unload,
-    /// Ground that gives becomes stiffer by its own size.
+    /// An elastic foundation becomes stiffer by its own stiffness.
     Stiffen,
     /// The uniform load grows by this.
     Uniform(f64),
-    /// A point load at a place grows by this.
+    /// A point load at a position grows by this.
     Force(f64, f64),
-    /// A point load of a place and this size moves to the right.
+    /// A point load at a position and of this size moves to the right.
     Move(f64, f64),
-    /// The support of that index goes down by one; on ground that gives, what stands at that breakpoint.
+    /// The support of this index moves down by one; on an elastic foundation the support at this breakpoint.
     Level(usize),
-    /// The support of that index moves to the right, along an axis whose own slope and curvature there, `w0'` and `w0''`, are the
-    /// numbers that follow: with the level `d` and the slope `φ` that it has, `v = d − w0` and where it is built in `v' = φ − w0'`.
+    /// The support of this index moves to the right along the axis of the beam, whose slope and curvature `w0'` and `w0''` are given.
+    /// With the level `d` and the slope `φ` of the support, `v = d − w0`, and where it is built in `v' = φ − w0'`.
     Support(usize, [f64; 2]),
 }
 
-/// Share of what a bend is the sum of below which it is their rounding: a span that is turned and stays straight has none.
+/// Rounding of a curvature as a share of its terms: a span that rotates and remains straight has none.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// How a node and its force change.
+/// The change of a node and of its force.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct NodeChange {
     /// `z'`.
     pub(super) place: f64,
-    /// `R'` of the force on the node, at a support with that of a load that stands on it.
+    /// `R'` of the force on the node; at a support it includes a load directly on it.
     pub(super) force: f64,
     /// `w`.
     pub(super) value: f64,
@@ -61,7 +61,7 @@ pub(super) struct NodeChange {
     pub(super) slopes: [f64; 2],
 }
 
-/// What a change puts on a stretch of the beam.
+/// The fixed-end moments and shear forces of a change over a span.
 #[derive(Debug, Clone, Copy, Default)]
 struct Fixed {
     moment: [f64; 2],
@@ -93,7 +93,7 @@ impl Change {
         }
     }
 
-    /// What it puts on an overhang beyond `x`: `[∫∂q, ∫∂q r]`.
+    /// The load of the change on an overhang beyond `x`: `[∫∂q, ∫∂q r]`.
     fn beyond(self, given: &PiecewiseScene, x: f64, at_left: bool) -> [f64; 2] {
         let length = if at_left { x } else { given.length - x };
         let outside = |at: f64| if at_left { at < x } else { x < at };
@@ -109,7 +109,7 @@ impl Change {
         }
     }
 
-    /// By how much the load on a zone between two places grows.
+    /// The increase of the load on a zone between two positions.
     pub(super) fn on_zone(self, given: &PiecewiseScene, from: f64, to: f64) -> f64 {
         match self {
             Self::Uniform(q) => q * (to - from),
@@ -119,7 +119,7 @@ impl Change {
         }
     }
 
-    /// By how much the load that stands on a node grows, and what turns it there.
+    /// The increase of the load on a node, and of the couple on it.
     fn on_node(self, x: f64, standing: f64) -> [f64; 2] {
         let here = |at: f64| at <= x && x <= at;
         match self {
@@ -131,16 +131,16 @@ impl Change {
     }
 }
 
-/// What is asked of the change of the beam at a node.
+/// The conditions on the change of the beam at a node.
 struct Ask {
     value: f64,
-    /// The slopes on both sides, where they are given.
+    /// The slopes on both sides, if they are prescribed.
     slopes: Option<[f64; 2]>,
-    /// `w''(+) − w''(−)` for a slope of zero, and its growth with the slope.
+    /// `w''(+) − w''(−)` for a slope of zero, and its derivative with respect to the slope.
     jump: [f64; 2],
 }
 
-/// The change to the left and to the right of a node.
+/// The change of the beam to the left and to the right of a node.
 #[derive(Debug, Clone, Copy, Default)]
 struct Ends {
     /// `w''`.
@@ -149,7 +149,7 @@ struct Ends {
     third: [f64; 2],
 }
 
-/// How the nodes of a list whose equations hold change, whatever changes: the matrix of the slopes is one, factored once.
+/// The changes of the nodes of a solved list, for any change. The matrix of the slopes is always the same and is factored once.
 #[derive(Debug)]
 pub(super) struct Sensitivity<'a> {
     given: &'a PiecewiseScene,
@@ -158,16 +158,16 @@ pub(super) struct Sensitivity<'a> {
     forces: &'a [f64],
     /// The spans to the left and to the right of each node.
     beside: Vec<[Option<&'a Span>; 2]>,
-    /// The load that stands on each node.
+    /// The load directly on each node.
     standing: Vec<f64>,
-    /// The support that each node is, those that only push counted after the others.
+    /// The support at each node, if any; compression-only supports are counted after the others.
     pub(super) supports: Vec<Option<usize>>,
-    /// Per row: what it takes of the row before, the pivot, and the entry to the right of it.
+    /// Per row: the factor for the row before, the pivot, and the entry to the right of it.
     factors: Vec<[f64; 3]>,
 }
 
 impl<'a> Sensitivity<'a> {
-    /// Of a list with its spans and forces. [`None`] if the beam is free to turn, or a node has no force to hold it.
+    /// For a list with its spans and forces. [`None`] if the beam is free to rotate, or a node has no force to hold it.
     pub(super) fn of(
         given: &'a PiecewiseScene,
         list: &'a List,
@@ -179,7 +179,7 @@ impl<'a> Sensitivity<'a> {
         let standing = nodes.clone().map(|i| standing(given, list, i)).collect();
         let supports = list.nodes.iter().map(|node| node.any_support(given)).collect();
         let mut all = Self { given, list, spans, forces, beside, standing, supports, factors: Vec::new() };
-        // Rows: w''(−) − w''(+) + jump = 0 for each node that may turn.
+        // Rows: w''(−) − w''(+) + jump = 0 for each node that may rotate.
         let asks = nodes.map(|i| all.ask(Change::NOTHING, i));
         let free: Vec<Option<f64>> = asks.map(|ask| ask.slopes.is_none().then_some(ask.jump[1])).collect();
         let mut rows: Vec<[f64; 3]> = free.iter().map(|free| [0.0, free.unwrap_or(1.0), 0.0]).collect();
@@ -199,15 +199,15 @@ impl<'a> Sensitivity<'a> {
         Some(all)
     }
 
-    /// What a number does to the nodes as it falls and as it grows.
+    /// The changes of the nodes as a number falls and as it grows.
     pub(super) fn on_both_sides(&self, [falls, grows]: [Change; 2]) -> [Vec<NodeChange>; 2] {
         let grown = self.change(grows, 1.0);
-        // The side counts where a zone ends.
+        // The two sides differ where a zone ends.
         let is_one = falls == grows && self.list.zones().next().is_none();
         [if is_one { grown.clone() } else { self.change(falls, -1.0) }, grown]
     }
 
-    /// What one change does to the nodes, per unit of its number: as that grows where `towards` is 1, as it falls where it is −1.
+    /// The changes of the nodes per unit of a number: as it grows if `towards` is 1, as it falls if `towards` is −1.
     fn change(&self, of: Change, towards: f64) -> Vec<NodeChange> {
         let &Self { given, list, .. } = self;
         let n = list.nodes.len();
@@ -218,7 +218,7 @@ impl<'a> Sensitivity<'a> {
             let node = &list.nodes[i];
             let [on_left, on_right] = self.beside[i];
             let load = self.standing[i];
-            // A load that stands at the end of a zone comes into the span where that end moves inwards.
+            // A load at the end of a zone enters the span if that end moves inwards.
             let end_of_zone = |bend: f64, third: f64, inwards: f64| {
                 let place = bend / third;
                 if 0.0 < inwards * towards * place { bend / (third - inwards * load) } else { place }
@@ -234,7 +234,7 @@ impl<'a> Sensitivity<'a> {
                 _ if matches!(of, Change::Support(moved, _) if self.supports[i] == Some(moved)) => 1.0,
                 _ => 0.0,
             };
-            // The load stays where it is when the node moves, and so does an edge of it: what moves is the pressure of a zone.
+            // A load keeps its position when the node moves, and so does an end of it: only the pressure of a zone moves.
             let pushed = |in_zone: bool, cell: fn(&PiecewiseScene, f64) -> usize| match in_zone {
                 true => given.drive(given.cell_ahead(node.x, cell(given, node.x), towards * place), node.x),
                 false => 0.0,
@@ -249,7 +249,7 @@ impl<'a> Sensitivity<'a> {
         changes.collect()
     }
 
-    /// What is asked of the change at node `i`.
+    /// The conditions on the change at node `i`.
     fn ask(&self, of: Change, i: usize) -> Ask {
         let &Self { given, list, forces, .. } = self;
         let node = &list.nodes[i];
@@ -269,7 +269,7 @@ impl<'a> Sensitivity<'a> {
         }
         let [on_left, on_right] = self.beside[i];
         let sides = [on_left.map(|span| span.beam_b), on_right.map(|span| span.beam_a)];
-        // Of a support that moves: how its level changes along the beam, and the bend of the axis.
+        // For a support that moves: the change of its level along the beam, and the curvature of the axis.
         let moves = |own: usize| match of {
             Change::Level(changed) if changed == own => (1.0, None),
             Change::Support(changed, [axis, bent]) if changed == own => {
@@ -283,7 +283,7 @@ impl<'a> Sensitivity<'a> {
             return match bearing.map(moves) {
                 _ if !node.is_edge(given) => fixed(ground),
                 None => Ask { value: ground, slopes: None, jump: [-turned, 0.0] },
-                // It does not move with the ground.
+                // The support does not move with the foundation.
                 Some((value, moved)) => {
                     let force = if moved.is_some() { forces[i] } else { 0.0 };
                     Ask { value, slopes: None, jump: [force - turned, 0.0] }
@@ -292,7 +292,7 @@ impl<'a> Sensitivity<'a> {
         };
         let (value, moved) = moves(index);
         if node.held_slope(given).is_some() {
-            // w' = −(v'' + w0'') on either side; where the ground holds the slope, w' = g'' − v''.
+            // w' = −(v'' + w0'') on either side; where the foundation fixes the slope, w' = g'' − v''.
             let support = &given.supports[index];
             let held = given.cells_beside(support.breakpoint)[usize::from(!list.rests(i)[0])];
             let moved = moved.map(|bent| if support.built_in { bent } else { -given.derivative(held, node.x, 2) });
@@ -317,12 +317,12 @@ impl<'a> Sensitivity<'a> {
             let (l, left, right) = (span.length(), right - 1, *right);
             let fixed = of.over(self.given, span);
             let chord = (asks[right].value - asks[left].value) / l;
-            // What is known of the two slopes, counted from the chord.
+            // The prescribed ones of the two slopes, relative to the chord.
             let (a, b) = (known(left, 1) - chord, known(right, 0) - chord);
             constants[left] -= fixed.moment[0] - (4.0 * a + 2.0 * b) / l;
             constants[right] += fixed.moment[1] + (2.0 * a + 4.0 * b) / l;
         }
-        // A slope that is given is no unknown.
+        // A prescribed slope is not an unknown.
         asks.iter()
             .zip(&mut constants)
             .filter(|(ask, _)| ask.slopes.is_some())
@@ -331,7 +331,7 @@ impl<'a> Sensitivity<'a> {
         asks.iter().zip(turns).map(|(ask, turn)| ask.slopes.unwrap_or([turn; 2])).collect()
     }
 
-    /// Bends and shear forces to the left and to the right of each node.
+    /// The second and third derivatives of `w` to the left and to the right of each node.
     fn changed_ends(&self, of: Change, asks: &[Ask], slopes: &[[f64; 2]]) -> Vec<Ends> {
         let mut beside = vec![Ends::default(); asks.len()];
         for (right, span) in self.spans {
@@ -360,30 +360,30 @@ impl<'a> Sensitivity<'a> {
         beside
     }
 
-    /// The node from which an overhang starts, and whether it is to the left of it; [`None`] of a span between two nodes.
+    /// The node at which an overhang starts, and whether the overhang is to its left; [`None`] for a span between two nodes.
     fn overhang(&self, right: usize, span: &Span) -> Option<(usize, bool)> {
         span.is_overhang().then(|| if right == 0 { (0, true) } else { (self.list.nodes.len() - 1, false) })
     }
 }
 
-/// The load that stands on a node.
+/// The load directly on a node.
 pub(super) fn standing(given: &PiecewiseScene, list: &List, i: usize) -> f64 {
     given.breakpoint_at(list.nodes[i].x).map_or(0.0, |breakpoint| given.breakpoints[breakpoint].force)
 }
 
-/// The parts of the span to the left of a node, of which there is one if it is not divided.
+/// The parts of the span to the left of a node; an undivided span has one.
 pub(super) fn parts_before(spans: &[(usize, Span)], i: usize) -> &[(usize, Span)] {
     let from = spans.partition_point(|(right, _)| *right < i);
     let parts = spans[from..].partition_point(|(right, _)| *right == i);
     &spans[from..from + parts]
 }
 
-/// That part of the span to the left of a node which has `x` in it, or lies to the right of it.
+/// The part of the span to the left of a node that contains `x`, or the next part to the right.
 pub(super) fn part_at(spans: &[(usize, Span)], i: usize, x: f64) -> Option<&Span> {
     parts_before(spans, i).iter().map(|(_, span)| span).find(|span| x <= span.b.x)
 }
 
-/// The spans to the left and to the right of a node, of divided ones the parts that are next to it.
+/// The spans to the left and to the right of a node; for divided ones the parts next to the node.
 pub(super) fn ends(spans: &[(usize, Span)], i: usize) -> [Option<&Span>; 2] {
     let behind = spans.partition_point(|(right, _)| *right <= i);
     let before = behind.checked_sub(1).map(|before| &spans[before]).filter(|(right, _)| *right == i);
@@ -391,7 +391,7 @@ pub(super) fn ends(spans: &[(usize, Span)], i: usize) -> [Option<&Span>; 2] {
     [before, after].map(|span| span.map(|(_, span)| span))
 }
 
-/// `h''` at a smooth point, the same in the spans on both sides.
+/// `h''` at a smooth point, which is the same in the spans on both sides.
 fn bend([left, right]: [Option<&Span>; 2]) -> f64 {
     right.map(|span| span.at_a[2]).or(left.map(|span| span.at_b[2])).unwrap_or(f64::NAN)
 }

@@ -8,9 +8,9 @@ const FULL: f64 = 2.0 * std::f64::consts::PI;
 pub(super) enum Shape {
     /// `u = depth + slope (x − origin)`.
     Line {
-        /// Where the depth is given.
+        /// Position at which the depth is given.
         origin: f64,
-        /// Depth there.
+        /// Depth at this position.
         depth: f64,
         /// Slope.
         slope: f64,
@@ -28,7 +28,7 @@ pub(super) enum Shape {
         /// Phase at `x = 0` \[rad\].
         phase: f64,
     },
-    /// `g = u − w0`, of a beam with an own shape.
+    /// `g = u − w0` for a beam with an initial shape.
     Gap {
         /// `u`.
         ground: Box<Shape>,
@@ -56,7 +56,7 @@ impl Wave {
 }
 
 impl Shape {
-    /// Its waves: of a cosine one, of the difference of two cosines two.
+    /// The waves of the piece: one for a cosine, two for the difference of two cosines.
     pub(super) fn waves(&self) -> [Option<Wave>; 2] {
         match *self {
             Self::Line { .. } | Self::Polynomial(_) => [None; 2],
@@ -71,7 +71,7 @@ impl Shape {
         }
     }
 
-    /// The fourth derivative at `x` of all of it but its waves.
+    /// The fourth derivative at `x` without the waves.
     pub(super) fn fourth_without_waves(&self, x: f64) -> f64 {
         match self {
             Self::Line { .. } | Self::Cosine { .. } => 0.0,
@@ -85,14 +85,14 @@ impl Shape {
         }
     }
 
-    /// A straight line through two points, counted from the shallower one: that is where a beam may touch it, and beside a
-    /// cliff of a million depths the rounding of the other end is a million times as large.
+    /// A straight line through two points. Its origin is the shallower one, where a beam may touch it: next to a cliff of a million
+    /// depths the rounding of the other end is a million times as large.
     pub(super) fn line([x0, u0]: [f64; 2], [x1, u1]: [f64; 2]) -> Self {
         let (origin, depth) = if u0.abs() <= u1.abs() { (x0, u0) } else { (x1, u1) };
         Self::Line { origin, depth, slope: (u1 - u0) / (x1 - x0) }
     }
 
-    /// The degree, if it is one polynomial.
+    /// The degree of a polynomial; [`None`] for waves.
     pub(super) fn degree(&self) -> Option<usize> {
         match self {
             Self::Line { .. } => Some(1),
@@ -102,7 +102,7 @@ impl Shape {
         }
     }
 
-    /// The degree of what is a polynomial in it.
+    /// The degree of the polynomial part.
     pub(super) fn polynomial_degree(&self) -> usize {
         match self {
             Self::Gap { ground, own } => ground.polynomial_degree().max(own.polynomial_degree()),
@@ -110,10 +110,10 @@ impl Shape {
         }
     }
 
-    /// How far the profile turns between its slope at `x` and the chord to `x + t`, `|(u(x + t) − u(x))/t − u'(x)|` with the
-    /// sign of `u''`, to the digits of a small number; `even` leaves out the odd powers of its Taylor series.
+    /// The rotation of the profile between its slope at `x` and the chord to `x + t`, `|(u(x + t) − u(x))/t − u'(x)|` with the sign of
+    /// `u''`, with the digits of a small number. `even` leaves out the odd powers of its Taylor series.
     pub(super) fn bow(&self, x: f64, t: f64, even: bool) -> f64 {
-        /// Those of a cosine over a sixth of a wave: what is left out is below `0.53²²/22! < 10⁻²⁷` of it.
+        /// Number of terms for a cosine over a sixth of a wave: the truncated rest is below `0.53²²/22! < 10⁻²⁷` of it.
         const TERMS: usize = 22;
         let terms = match self {
             Self::Line { .. } => return 0.0,
@@ -129,7 +129,7 @@ impl Shape {
         taylor[..terms].iter().skip(2).rev().fold(0.0, |sum, c| (sum + c) * t) * t.signum()
     }
 
-    /// True if [`Self::bow`] has all its digits over this length.
+    /// Whether [`Self::bow`] has all its digits over this length.
     pub(super) fn is_one_series_over(&self, length: f64) -> bool {
         match self {
             Self::Gap { ground, own } => ground.is_one_series_over(length) && own.is_one_series_over(length),
@@ -174,7 +174,7 @@ impl Shape {
 
 /// Coefficients of `Σ c_j (t + shift)^j` in powers of `t`, as many as `out` has room for.
 pub(super) fn shifted(coefficients: &[f64], shift: f64, out: &mut [f64]) {
-    // Horner's scheme, repeated: pass i leaves coefficient i behind.
+    // Repeated Horner scheme: pass i leaves coefficient i.
     if coefficients.len() <= out.len() {
         let n = coefficients.len();
         out[..n].copy_from_slice(coefficients);
@@ -202,7 +202,7 @@ mod tests {
 
     #[test]
     fn taylor_coefficients_continue_the_profile() {
-        // Sums of a few dozen terms of order 1; the series of the cosine is cut at 0.5^22/22!.
+        // Sums of a few dozen terms of order 1; the series of the cosine is truncated at 0.5^22/22!.
         const ROUNDING: f64 = 1e-14;
         let polynomial = Shape::Polynomial(vec![1.0, -2.0, 0.5, 3.0, -1.0, 0.125]);
         let cosine = Shape::Cosine { mean: 0.3, amplitude: 1.5, wavelength: 2.0, phase: 0.4 };

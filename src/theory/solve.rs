@@ -1,4 +1,4 @@
-//! The entrance: a scene in its own units to its exact solution.
+//! The entry point: from a scene in its own units to its exact solution.
 
 use super::breakpoints::MOST_CELLS;
 use super::exact::Exact;
@@ -11,7 +11,7 @@ use super::springs;
 use crate::scene::axial::LONGEST;
 use crate::scene::{Balance, Foundation, Profile, Scene, SceneError};
 
-/// Why there is no exact solution at all; one that fails its check is an [`Exact`] that is not `solved`.
+/// The reasons why there is no exact solution at all. An answer that fails its check is an [`Exact`] that is not `solved`.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum TheoryError {
     /// The scene leaves the range of `f64` when it is made dimensionless.
@@ -20,48 +20,48 @@ pub enum TheoryError {
     /// The profile has so many waves that its pieces cannot be listed.
     #[error("`{}.cosine.wavelength` must be at least {least} for an exact solution, but is {wavelength}", of.path())]
     TooManyPieces {
-        /// Of which profile.
+        /// The profile.
         of: Profile,
         /// The wavelength \[length\].
         wavelength: f64,
-        /// The least that is possible \[length\].
+        /// The least possible wavelength \[length\].
         least: f64,
     },
     /// The phase of a wave is so large that its rounding moves the wave.
     #[error("`{}.cosine.phase` must be at most {most} in magnitude for an exact solution, but is {phase}", of.path())]
     PhaseTooLarge {
-        /// Of which profile.
+        /// The profile.
         of: Profile,
         /// The phase \[rad\].
         phase: f64,
-        /// The most that is possible \[rad\].
+        /// The largest possible phase \[rad\].
         most: f64,
     },
-    /// The beam is so nearly a cable that its pieces cannot be listed.
+    /// The beam is so close to a cable that its pieces cannot be listed.
     #[error("`beam.tension` must be at most {most} in magnitude for an exact solution, but is {tension}")]
     TooManyParts {
         /// The axial force \[force\].
         tension: f64,
-        /// The most that is possible \[force\].
+        /// The largest possible magnitude \[force\].
         most: f64,
     },
-    /// There is no memory for all points of a profile and all places at which the beam is near them.
+    /// There is not enough memory for all points of a profile and all positions at which the beam is close to them.
     #[error(
         "there is no memory for {points} points of a profile and {near} places near contact, which take {needed} MB, of at most {most} MB",
         needed = bytes / 1_000_000,
         most = MEMORY / 1_000_000
     )]
     NoMemory {
-        /// Points of the profile.
+        /// Number of points of the profile.
         points: usize,
-        /// Contacts, or places near contact.
+        /// Number of contacts, or of positions near contact.
         near: usize,
-        /// Memory that they take.
+        /// Memory that they need.
         bytes: usize,
     },
 }
 
-/// Largest phase of a wave \[rad\]: half a unit in its last place is a tenth of what a condition may be violated by.
+/// Largest phase of a wave \[rad\]: half a unit in its last place is a tenth of the tolerance of a condition.
 const MOST_PHASE: f64 = 1000.0;
 
 /// The exact solution of `scene`.
@@ -70,18 +70,18 @@ const MOST_PHASE: f64 = 1000.0;
 ///
 /// # Errors
 ///
-/// [`TheoryError`] if the numbers do not allow a solution. An answer that fails its check is no error: it is not
-/// `solved`, and has its violations.
+/// [`TheoryError`] if the numbers do not allow a solution. An answer that fails its check is not an error: it is not `solved` and lists
+/// its violations.
 pub fn solve(scene: &Scene) -> Result<Exact, TheoryError> {
     solve_near(scene, &[])
 }
 
-/// The exact solution of a scene that differs from those of `near` in numbers only: the same as [`solve`] finds, and sooner, as
-/// their contacts are where the search starts, in turn.
+/// The exact solution of a scene that differs from the scenes of `near` only in numbers. It is the solution that [`solve`] finds, but
+/// found sooner, because the search starts from the contacts of `near`, in turn.
 ///
 /// # Errors
 ///
-/// Those of [`solve`].
+/// The errors of [`solve`].
 pub fn solve_near(scene: &Scene, near: &[&Exact]) -> Result<Exact, TheoryError> {
     let scaled = scene.scaled()?;
     let foundation = scaled.scene.foundation();
@@ -92,7 +92,7 @@ pub fn solve_near(scene: &Scene, near: &[&Exact]) -> Result<Exact, TheoryError> 
                 if MOST_PHASE < phase.abs() {
                     return Err(TheoryError::PhaseTooLarge { of, phase, most: MOST_PHASE });
                 }
-                // One cell is an eighth of a wave or so.
+                // One cell is about an eighth of a wave.
                 let least = 8.0 * scaled.scene.beam().length() / MOST_CELLS;
                 if wavelength < least {
                     let unit = scaled.scale.length;

@@ -1,7 +1,7 @@
 //! A span: the beam between two neighbouring nodes, or between a node and a free end, in closed form.
 //!
-//! It is computed in the clearance `h = g − v`, not in `v`: at a contact `h` and, where the profile is smooth, `h'` vanish
-//! exactly, so that even a tiny gap between two contacts is resolved to its last digits. With `f = g'''' − q`,
+//! It is computed in the clearance `h = g − v`, not in `v`. At a contact `h` vanishes exactly, and `h'` too where the profile is
+//! smooth, so even a tiny gap between two contacts is resolved to its last digits. With `f = g'''' − q`,
 //!
 //! ```text
 //! h'''' = f + Σ (S_k δ''' + J_k δ'' − P_k δ)       steps S, kinks J and point loads P at the breakpoints inside
@@ -9,9 +9,9 @@
 //! h''(b) =  (2 φ_a + 4 φ_b)/ℓ + G_b,     w_a = t (ℓ − t)²/ℓ²,  w_b = t² (ℓ − t)/ℓ²
 //! ```
 //!
-//! with `φ = h' − (h(b) − h(a))/ℓ` at the two ends, `ℓ = b − a`, `t = x − a`: the slope-deflection equations, `G` the
-//! fixed-end moments. Slopes count from the straight line through both ends, because over a short span they differ from it
-//! by far less than they are.
+//! with `φ = h' − (h(b) − h(a))/ℓ` at the two ends, `ℓ = b − a`, `t = x − a`. These are the slope-deflection equations with the
+//! fixed-end moments `G`. Slopes are measured from the chord, because over a short span they differ from the chord by far less than
+//! their size.
 
 use super::cosine;
 use super::divided::Answer;
@@ -19,23 +19,23 @@ use super::overhang::Overhang;
 use super::piecewise::PiecewiseScene;
 use super::way::{Prescribed, Way};
 
-/// How a span begins or ends.
+/// The condition at an end of a span.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum EndCondition {
     /// On a smooth piece of the profile, or clamped to it: `h = h' = 0`.
     Resting,
-    /// On a break of the profile: `v` and `v'` are given.
+    /// On a break of the profile: `v` and `v'` are prescribed.
     Edge {
-        /// `h`: at the lower side of a step its height.
+        /// `h`: at the lower side of a step the height of the step.
         height: f64,
         /// `v`.
         level: f64,
-        /// `v'` is the sum of these two numbers. The forces of contacts that are close together depend on digits of it beyond the
-        /// last one of the first number.
+        /// `v'` is the sum of these two numbers. The forces of contacts that are close together depend on its digits beyond the last
+        /// digit of the first number.
         slope: [f64; 2],
     },
-    /// A support, or a break of the profile, that leaves the slope free beside an overhang, or beside nothing at an end of the
-    /// beam: `v` is given, and `v''` follows from the overhang.
+    /// At a support or a break of the profile that leaves the slope free, next to an overhang or at an end of the beam: `v` is
+    /// prescribed, and `v''` follows from the overhang.
     Hinge {
         /// `h`.
         height: f64,
@@ -46,7 +46,7 @@ pub(super) enum EndCondition {
     },
     /// A free end of the beam: `v'' = v''' = 0`.
     Free,
-    /// No end: the span goes on, and something changes here.
+    /// Not an end: the span continues, and something changes here.
     Within,
 }
 
@@ -59,7 +59,7 @@ impl EndCondition {
         }
     }
 
-    /// `v`, where the profile is `depth` deep.
+    /// `v`, where the profile has the depth `depth`.
     pub(super) fn level(self, depth: f64) -> f64 {
         match self {
             Self::Resting | Self::Free | Self::Within => depth,
@@ -67,32 +67,32 @@ impl EndCondition {
         }
     }
 
-    /// True if the second derivative there is given, whatever the slopes are.
+    /// Whether the second derivative is prescribed, whatever the slopes are.
     pub(super) fn is_hinged(self) -> bool {
         matches!(self, Self::Hinge { .. } | Self::Free)
     }
 }
 
-/// One end of a span: where, in which cell, and how it is held.
+/// One end of a span: its position, cell and condition.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct End {
-    /// Where.
+    /// Position.
     pub(super) x: f64,
-    /// What its place is beyond `x`, where it rests on a smooth piece of the profile; not used at an edge, which cannot move.
+    /// The low-order part of the position at a smooth piece of the profile; not used at an edge, which cannot move.
     pub(super) low: f64,
-    /// The cell of the span that ends there.
+    /// The cell of the span at this end.
     pub(super) cell: usize,
-    /// How it is held.
+    /// The end condition.
     pub(super) hold: EndCondition,
 }
 
 impl End {
-    /// An end that nothing holds.
+    /// An end without support.
     pub(super) fn free(x: f64, cell: usize) -> Self {
         Self { x, low: 0.0, cell, hold: EndCondition::Free }
     }
 
-    /// An end that rests on a smooth piece of the profile.
+    /// An end in contact with a smooth piece of the profile.
     pub(super) fn resting(x: f64, cell: usize) -> Self {
         Self { x, low: 0.0, cell, hold: EndCondition::Resting }
     }
@@ -104,7 +104,7 @@ impl End {
     }
 }
 
-/// A span at its two ends.
+/// A span, given by the states at its two ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Span {
     /// Left end.
@@ -119,14 +119,15 @@ pub(super) struct Span {
     pub(super) beam_a: [f64; 4],
     /// `v, v', e v'', e v'''` at the right end.
     pub(super) beam_b: [f64; 4],
-    /// `e` on it.
+    /// `e` on the span.
     pub(super) stiffness: f64,
-    /// Of a part of a divided span, how moments at both ends of the whole answer to the slopes there; of a whole span it is closed.
+    /// For a part of a divided span, the response of the end moments of the whole span to its end slopes; [`None`] for an undivided
+    /// span.
     pub(super) answer: Option<Answer>,
 }
 
 impl Span {
-    /// The span between two ends, over which the beam does not change.
+    /// The span between two ends with constant stiffness between them.
     pub(super) fn between(given: &PiecewiseScene, a: End, b: End) -> Self {
         let (l, way) = (b.x - a.x, Way::of(given, &a, &b));
         let e = given.cells[a.cell].stiffness;
@@ -151,8 +152,8 @@ impl Span {
         Self { a, b, at_a, at_b, beam_a, beam_b, stiffness: e, answer: None }
     }
 
-    /// The overhang between a free end of the beam and the node `held`; `slope` is that of the beam at the node. With the
-    /// distance `r` of a load from the node and the length `ℓ` of the overhang,
+    /// The overhang between a free end of the beam and the node `held`; `slope` is the slope of the beam at the node. With the distance
+    /// `r` of a load from the node and the length `ℓ` of the overhang,
     ///
     /// ```text
     /// v'' = ∫q r,   |v'''| = ∫q at the node        v grows by ∫q r² (3ℓ − r)/6, v' by ∫q r²/2 towards the free end
@@ -164,11 +165,11 @@ impl Span {
         let e = given.cells[free.cell].stiffness;
         let [turn, sag] = [turn / e, sag / e];
         let profiles = [given.derivatives(held.cell, held.x), given.derivatives(free.cell, free.x)];
-        // Outwards is to the left or to the right.
+        // Sign of the outward direction: to the left or to the right.
         let sign = if at_left { 1.0 } else { -1.0 };
         let level = held.hold.level(profiles[0][0]);
         let beam_held = [level, slope, moment, sign * force];
-        // A load just at the free end is that of the shear force beside it, a couple that of the moment.
+        // A load exactly at the free end is the shear force next to it, and a couple there is the moment.
         let at_end = if at_left { given.breakpoints.first() } else { given.breakpoints.last() };
         let [shear, couple] = at_end.map_or([0.0; 2], |end| [end.force, end.couple]);
         let beam_free = [level - sign * slope * length + sag, slope - sign * turn, sign * couple, sign * shear];
@@ -185,7 +186,7 @@ impl Span {
         }
     }
 
-    /// The span with these states at its ends, of clearance and beam.
+    /// The span with these states of clearance and beam at its ends.
     pub(super) fn of(
         [a, b]: [End; 2],
         [at_a, at_b]: [[f64; 4]; 2],
@@ -195,14 +196,14 @@ impl Span {
         Self { a, b, at_a, at_b, beam_a, beam_b, stiffness, answer: None }
     }
 
-    /// The same with nothing known of it.
+    /// The same span with unknown states.
     pub(super) fn unknown(self) -> Self {
-        /// No number, so that every condition fails.
+        /// Not a number, so that every condition fails.
         const UNKNOWN: [f64; 4] = [f64::NAN; 4];
         Self { at_a: UNKNOWN, at_b: UNKNOWN, beam_a: UNKNOWN, beam_b: UNKNOWN, ..self }
     }
 
-    /// True if it ends at a free end of the beam.
+    /// Whether it ends at a free end of the beam.
     pub(super) fn is_overhang(&self) -> bool {
         self.a.hold == EndCondition::Free || self.b.hold == EndCondition::Free
     }
@@ -213,7 +214,7 @@ impl Span {
     }
 }
 
-/// Which fourth derivative.
+/// The fourth derivative in use.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Drive {
     /// Of `h`: `e u'''' − q`.
@@ -222,13 +223,13 @@ pub(super) enum Drive {
     Load,
 }
 
-/// What the drive over a span does at its ends.
+/// The effect of the drive over a span at its ends.
 pub(super) struct FixedEnd {
     /// Fixed-end moments `G`.
     pub(super) moment: [f64; 2],
-    /// Shear forces of a span that is free to turn at both ends.
+    /// Shear forces of a span that is free to rotate at both ends.
     pub(super) shear: [f64; 2],
-    /// Shear forces of a span that is clamped at both: the same and the difference of the moments over `ℓ`, without cancellation.
+    /// Shear forces of a span that is clamped at both ends: `shear` and the difference of the moments over `ℓ`, without cancellation.
     pub(super) clamped: [f64; 2],
 }
 
@@ -237,8 +238,8 @@ pub(super) fn difference(u: &[f64; 4], v: &[f64; 4]) -> [f64; 4] {
     [u[0] - v[0], u[1] - v[1], u[2] - v[2], u[3] - v[3]]
 }
 
-/// The slope-deflection equations: slope, counted from the straight line through both ends, second and third derivative, times `e`, at
-/// both ends of a span of length `l` and `flex = l/e`.
+/// The slope-deflection equations for a span of length `l` with `flex = l/e`. Returns for each end the slope relative to the chord, and
+/// the second and third derivatives times `e`.
 fn solve([l, flex]: [f64; 2], [a, b]: [Prescribed; 2], fixed: &FixedEnd) -> [[f64; 3]; 2] {
     let [rest_a, rest_b] = fixed.moment;
     let (slope_a, slope_b) = match (a, b) {
@@ -267,7 +268,7 @@ fn solve([l, flex]: [f64; 2], [a, b]: [Prescribed; 2], fixed: &FixedEnd) -> [[f6
         let across = (curvature_b - curvature_a) / l;
         [across - fixed.shear[0], across + fixed.shear[1]]
     } else {
-        // Not from both moments: of a load just beside an end they leave the other end its rounding.
+        // Not from both moments: for a load very close to one end they would leave the other end with its rounding.
         let turned = 6.0 * (slope_a + slope_b) / (l * flex);
         [turned - fixed.clamped[0], turned + fixed.clamped[1]]
     };
@@ -280,11 +281,11 @@ pub(super) fn fixed_end_of_load(given: &PiecewiseScene, a: &End, b: &End) -> ([f
     (moment, shear)
 }
 
-/// `G_a`, `G_b` and `∫ f (ℓ − t)/ℓ`, `∫ f t/ℓ`, point loads included; kinks and steps turn the beam but carry no force.
+/// `G_a`, `G_b` and `∫ f (ℓ − t)/ℓ`, `∫ f t/ℓ`, including point loads; kinks and steps rotate the beam but carry no force.
 pub(super) fn fixed_end(given: &PiecewiseScene, a: &End, b: &End, of: Drive) -> FixedEnd {
     let l = b.x - a.x;
     let (mut moment, mut shear, mut clamped) = ([0.0; 2], [0.0; 2], [0.0; 2]);
-    // Distances from both ends: those of a place are the same but for rounding, which over a short span is more than that of a load.
+    // Distances from both ends: over a short span the rounding of their difference would exceed the rounding of a load.
     let mut add = |[from, to]: [f64; 2], force: f64| {
         let (s, r) = (from / l, to / l);
         moment[0] += force * s * r * r * l;
@@ -295,7 +296,7 @@ pub(super) fn fixed_end(given: &PiecewiseScene, a: &End, b: &End, of: Drive) -> 
         clamped[1] += force * s * s * (1.0 + 2.0 * r);
     };
     let waves = given.shapes[given.cells[a.cell].shape].waves();
-    // The waves of a cosine follow in closed form.
+    // The waves of a cosine have a closed form.
     let drive = |cell, lo, t| match of {
         Drive::Load => given.load_beyond(cell, lo, t),
         Drive::Clearance => given.drive_without_waves(cell, lo, t),

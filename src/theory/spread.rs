@@ -1,23 +1,24 @@
-//! How far the forces of an exact answer are off if depths of the ground are: to first order, from its derivatives.
+//! Estimated errors of the forces of an exact answer for given errors of the foundation depths, to first order from its derivatives.
 
 use super::asked::Asked;
 use super::derivatives::By;
 use super::exact::Exact;
 use super::sensitivity::Change;
 
-/// How far forces may be off, by estimate: magnitudes \[force\].
+/// Estimated errors of forces: magnitudes \[force\].
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Spread {
-    /// Of the supports, from left to right.
+    /// Of the reactions, from left to right.
     pub supports: Vec<f64>,
     /// Of the resultants of the contacts.
     pub contacts: Vec<f64>,
 }
 
 impl Exact {
-    /// How far forces are off to first order if the depth under each contact by itself may be off by `tolerance`: the sum of the
-    /// magnitudes of all derivatives. Under a zone the ground moves as a whole.
+    /// The first-order errors of the forces if the depth under each contact may independently be wrong by `tolerance`: the sum of the
+    /// magnitudes of all derivatives. Under a zone the foundation moves as a whole. [`None`] on an elastic foundation, where the
+    /// foundation fixes the slope at a support, and for a beam that is free to rotate.
     #[must_use]
     pub fn spread(&self, tolerance: f64) -> Option<Spread> {
         if self.springs.is_some() {
@@ -31,7 +32,7 @@ impl Exact {
             Some(node) if node.is_point(&self.given) => Some((i, i)),
             _ => None,
         });
-        // Where the ground parts from a support forces change as a root of the distance.
+        // Where the foundation separates from a support, forces change with the root of the distance.
         let rests = |i: usize| nodes[i].rests_at_support(&self.given);
         if (0..nodes.len()).any(rests) {
             return None;

@@ -10,7 +10,7 @@ use super::piecewise::PiecewiseScene;
 use super::search::Candidate;
 use crate::state::{Contact, ContactState, Extremes, Reactions, Regime, SupportForce, larger_moment};
 
-/// The state of a beam of this least bending stiffness.
+/// The state of a beam with this least bending stiffness.
 pub(super) fn state(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -> ContactState {
     let pieces = &found.checked.pieces;
     let (supports, contacts) = (supports(given, found, stiffness), contacts(given, found, stiffness));
@@ -31,13 +31,13 @@ pub(super) fn state(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -
     }
 }
 
-/// The forces of the supports, from left to right, those that only push among them.
+/// The reactions from left to right, including compression-only supports.
 fn supports(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -> Vec<SupportForce> {
     let nodes = found.list.nodes.iter().zip(&found.checked.forces).zip(&found.checked.moments);
     let supports = nodes.filter_map(|((node, force), moments)| {
         let support = &given.supports[node.support(given)?];
         let (at, holds) = (&given.breakpoints[support.breakpoint], support.built_in || support.turning.is_some());
-        // Beside the support, on the side where there is a beam: of both the larger one.
+        // The moment next to the support, on the side where there is a beam; on both sides the larger one.
         let [left, right] = *moments;
         let moment = larger_moment(*moments);
         Some(SupportForce {
@@ -73,11 +73,11 @@ fn contacts(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -> Vec<Co
     let place = |i: usize| on_the_beam(nodes[i].x, given.length);
     for i in 0..=nodes.len() {
         if found.list.in_zone_before(i) {
-            // Of what ground and support carry together at a support the support is said to take all.
+            // If foundation and support carry a force together, all of it is assigned to the support.
             let end = |i: usize| (place(i), if nodes[i].support(given).is_some() { 0.0 } else { forces[i] });
             let ((from, force_from), (to, force_to)) = (end(i - 1), end(i));
             let force = (force_from + force_to + zone_force(given, from, to)) * stiffness;
-            // At the border of two regimes a zone has no length: it is a point.
+            // At the border of two regimes a zone has no length and is a point.
             let end_forces = (from < to).then_some([force_from * stiffness, force_to * stiffness]);
             contacts.push(Contact { from, to, force, end_forces });
         }
@@ -90,7 +90,7 @@ fn contacts(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -> Vec<Co
     contacts
 }
 
-/// A place beside a support that rounding has put off the beam, on it.
+/// Moves a position that rounding has put just outside the beam to its end.
 fn on_the_beam(x: f64, length: f64) -> f64 {
     let nearest = x.clamp(0.0, length);
     if (x - nearest).abs() <= PLACE * length { nearest } else { x }
@@ -103,7 +103,7 @@ fn energy(given: &PiecewiseScene, pieces: &[Piece]) -> f64 {
     for piece in pieces {
         piece.deflection(given, &mut taylor);
         piece.outwards(&mut taylor);
-        // From the anchor outwards: of a short piece far from zero a place has not the digits that its distance has.
+        // In distances from the anchor: in a short piece far from zero a position has fewer digits than its distance from the anchor.
         sum += given.energy_rule.integral(0.0, piece.width(), |s| {
             let [v, v1, v2, _] = derivatives(&taylor, s);
             let bent = 0.5 * v2 * v2 * piece.stiffness(given) - given.load(piece.cell, piece.place(s)) * v;
@@ -117,7 +117,7 @@ fn energy(given: &PiecewiseScene, pieces: &[Piece]) -> f64 {
         let [v, v1, ..] = derivatives(&taylor, breakpoint.x.max(piece.lo).min(piece.hi) - piece.anchor);
         sum += breakpoint.couple * v1 - breakpoint.force * v;
     }
-    // A joint takes up half of its turn times its moment.
+    // The energy of a joint is half of its rotation times its moment.
     for joint in
         given.divisions.iter().map(|&i| &given.breakpoints[i]).filter(|at| 0.0 < at.joint && at.joint.is_finite())
     {
@@ -130,7 +130,7 @@ fn energy(given: &PiecewiseScene, pieces: &[Piece]) -> f64 {
     sum
 }
 
-/// What springs take up, `Σ R²/2k + Σ C²/2k` with their forces and couples.
+/// The energy in springs, `Σ R²/2k + Σ C²/2k` with their forces and couples.
 fn in_springs(given: &PiecewiseScene, found: &Candidate) -> f64 {
     let taken = |k: f64, acts: f64| 0.5 * acts * (acts / k);
     let turned = |turning: Option<[f64; 2]>, couple: f64| turning.map_or(0.0, |[k, _]| taken(k, couple));
@@ -139,7 +139,7 @@ fn in_springs(given: &PiecewiseScene, found: &Candidate) -> f64 {
         springs.map(|(of, state)| taken(of.stiffness, state.force) + turned(of.turning, state.couple)).sum();
     let at_supports = found.list.nodes.iter().filter_map(|node| {
         let support = &given.supports[node.support(given)?];
-        // What the node has of its own besides a couple.
+        // The couple at the node without the external couple.
         let couple = node.couple(given) - given.breakpoints[support.breakpoint].couple;
         Some(turned(support.turning, couple))
     });
@@ -149,7 +149,7 @@ fn in_springs(given: &PiecewiseScene, found: &Candidate) -> f64 {
 /// Extremes of `v` and of `e v''`: at the ends of pieces and at the roots of their derivatives.
 fn extremes(given: &PiecewiseScene, pieces: &[Piece]) -> (Extremes, Extremes) {
     let mut taylor = vec![0.0; given.terms];
-    // Inside a piece only where it may go beyond what the ends of all pieces have.
+    // Inside a piece only where the function may exceed its values at the ends of all pieces.
     let none = [f64::INFINITY, f64::NEG_INFINITY];
     let (mut ends, mut bends) = (none, none);
     for piece in pieces {
@@ -173,8 +173,8 @@ fn extremes(given: &PiecewiseScene, pieces: &[Piece]) -> (Extremes, Extremes) {
     (Extremes::of(first.iter().copied()), Extremes::of(second.iter().copied()))
 }
 
-/// Extremes of the clearance over some of the pieces, from left to right: at a step the values of both sides count. Over straight ground
-/// only cells are looked at in which it may go beyond what is found before and at the ends of all pieces.
+/// Extremes of the clearance over some pieces, from left to right; at a step the values of both sides count. Over a straight
+/// foundation, only those cells are examined that may exceed the extremes found so far and the values at the ends of all pieces.
 pub(super) fn clearance_extremes(given: &PiecewiseScene, pieces: &[Piece]) -> Extremes {
     let mut taylor = vec![0.0; given.terms];
     let mut found = [f64::INFINITY, f64::NEG_INFINITY];
@@ -219,8 +219,8 @@ pub(super) fn bend_extremes(given: &PiecewiseScene, pieces: &[Piece]) -> Extreme
     Extremes::of(values.iter().copied())
 }
 
-/// The values of `Σ c_j s^j` at both ends of a piece, and where its derivative vanishes if it may leave `[least, most]`
-/// there; in order from left to right, with their places.
+/// Adds the values of `Σ c_j s^j` at both ends of a piece, and where its derivative vanishes if the function may leave `[least, most]`
+/// there; from left to right, with their positions.
 pub(super) fn add_extremes(piece: &Piece, c: &[f64], [least, most]: [f64; 2], values: &mut Vec<(f64, f64)>) {
     let width = piece.width();
     let start = values.len();
@@ -235,7 +235,7 @@ pub(super) fn add_extremes(piece: &Piece, c: &[f64], [least, most]: [f64; 2], va
     }
 }
 
-/// Coefficients of the derivative, in the place of `c`.
+/// Coefficients of the derivative, in place.
 pub(super) fn differentiated(c: &mut [f64]) -> &mut [f64] {
     #[expect(clippy::cast_precision_loss, reason = "a degree is a small number")]
     c.iter_mut().enumerate().for_each(|(j, c)| *c *= j as f64);

@@ -1,4 +1,4 @@
-//! A part of the beam under an axial force `N`, over `EI₀`: what its ends have, and the beam inside.
+//! A part of the beam under an axial force `N`, over `EI₀`: the relations at its ends, and the beam between them.
 //!
 //! ```text
 //! e v'''' − N v'' = q,     e h'''' − N h'' = e g'''' − N g'' − q           the clearance has the same law
@@ -7,9 +7,9 @@
 //! e h'''_a = (n_b − n_a)/ℓ − N (w n_a + ω n_b) − F_a + N E_a
 //! ```
 //!
-//! with `w = ℓ s₁/e` and `ω = ℓ s₂/e` of [`crate::scene::axial`], and what the load `f` does by itself, `E_a = ∫ f (ℓ²/e) β dx` and
+//! with `w = ℓ s₁/e` and `ω = ℓ s₂/e` of [`crate::scene::axial`], and the effects of the load `f` alone, `E_a = ∫ f (ℓ²/e) β dx` and
 //! `F_a = ∫ f r/ℓ dx`. Every cell of a scene under an axial force is a part and at most [`LONGEST`](axial::LONGEST)`/μ` long,
-//! `μ² = N/e`: a beam of hyperbolic functions is there a polynomial to rounding, and so is what these integrals are of.
+//! `μ² = N/e`. There a beam of hyperbolic functions is a polynomial to rounding, and so are the integrands.
 
 use super::exact::Exact;
 use super::piece::Piece;
@@ -19,22 +19,22 @@ use super::span::{Drive, End};
 use crate::certificate::{Hung, MOST_TERMS};
 use crate::scene::axial;
 
-/// Coefficients of the Taylor series of a beam in a cell, from an end of it to the middle: `0.4¹⁶/16!` is less than `10⁻¹⁹`.
+/// Number of Taylor coefficients of a beam in a cell, from one end to the middle: `0.4¹⁶/16!` is less than `10⁻¹⁹`.
 pub(super) const TERMS: usize = 18;
 
-/// The law of a part.
+/// The law of a part under an axial force.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Tense {
     /// `N`.
     pub(super) force: f64,
     /// `1/ℓ`, `N/ℓ`, `w`, `ω` and `1/ℓ² − ω N/ℓ`.
     pub(super) law: [f64; 5],
-    /// What the load makes of `h'`, `T` and `e h'''` at both ends.
+    /// The effect of the load on `h'`, `T` and `e h'''` at both ends.
     pub(super) own: [[f64; 3]; 2],
 }
 
 impl Tense {
-    /// Of a part between two ends, under `sign` times its drive; [`None`] without an axial force.
+    /// The law of a part between two ends, under `sign` times its drive; [`None`] without an axial force.
     pub(super) fn of(given: &PiecewiseScene, [a, b]: &[End; 2], of: Drive, sign: f64) -> Option<Self> {
         let force = given.tension;
         (force != 0.0).then_some(())?;
@@ -57,7 +57,7 @@ impl Tense {
         Some(Self { force, law: axial::law(l, e, force), own })
     }
 
-    /// `h'`, `T` and `e h'''` at both ends, from `h` and `n` there; with or without its load.
+    /// `h'`, `T` and `e h'''` at both ends, from `h` and `n` there, including the load.
     pub(super) fn ends(&self, [h, k]: [f64; 2], [n, m]: [f64; 2]) -> [[f64; 3]; 2] {
         let [c, pull, w, off, _] = self.law;
         let (chord, rise) = (c * (k - h), c * (m - n) - pull * (k - h));
@@ -72,7 +72,7 @@ impl Tense {
 }
 
 impl Piece {
-    /// Of the coefficients of its deflection about its anchor as many as are used.
+    /// The deflection of the piece, from its coefficients about the anchor, with only as many coefficients as needed.
     pub(super) fn hung(&self, taylor: &[f64]) -> Hung {
         let mut few = vec![0.0; MOST_TERMS.min(taylor.len())];
         shifted(taylor, 0.5 * (self.lo + self.hi) - self.anchor, &mut few);
@@ -83,8 +83,8 @@ impl Piece {
 }
 
 impl Exact {
-    /// Under an axial force the deflection between contacts, in the units of [`Scene::scaled`](crate::scene::Scene::scaled): a part of the
-    /// witness of a certificate. About its middle a piece, of half a cell, needs few terms: `0.2¹¹/11!` is `5·10⁻¹⁶`.
+    /// The deflection between contacts under an axial force, in the units of [`Scene::scaled`](crate::scene::Scene::scaled); a
+    /// certificate is proven from it. About its middle a piece of half a cell needs few terms: `0.2¹¹/11!` is `5·10⁻¹⁶`.
     pub(crate) fn hung(&self) -> Vec<Hung> {
         if self.given.tension == 0.0 {
             return Vec::new();
@@ -101,7 +101,7 @@ impl Exact {
     }
 }
 
-/// The Taylor coefficients of a deflection behind its first four, in a cell, from `q` and `q'` at its origin.
+/// Continues the Taylor coefficients of a deflection in a cell beyond the first four, from `q` and `q'` at its origin.
 ///
 /// ```text
 /// e (k + 4)(k + 3)(k + 2)(k + 1) c_{k+4} = q_k + N (k + 2)(k + 1) c_{k+2}

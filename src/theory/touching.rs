@@ -1,8 +1,8 @@
-//! Where the beam presses, and where it only lies on what it could press.
+//! Where the beam presses, and where it only touches without pressing.
 //!
-//! A beam without weight on level ground lies on all of it and presses where its loads are. One answer has several lists of contacts
-//! then, which differ in contacts without force. What presses, and where the beam lies without pressing, do not depend on the list:
-//! they follow from forces and clearances.
+//! A beam without weight on a level foundation touches it along its whole length and presses where its loads are. One answer then has
+//! several contact lists, which differ in contacts without force. The pressing contacts and the touching stretches do not depend on the
+//! list: they follow from forces and clearances.
 
 use super::check::Nothing;
 use super::exact::Exact;
@@ -12,11 +12,11 @@ use super::piecewise::PiecewiseScene;
 use super::summary::add_extremes;
 use crate::state::{Contact, Regime, Touch};
 
-/// Stretches shorter than this share of the beam are places.
+/// Length as a share of the beam below which a stretch counts as a point.
 const PLACE: f64 = 1e-9;
 
 impl Exact {
-    /// With what presses for its contacts, and where it lies without pressing beside them.
+    /// Replaces its contacts by the pressing ones, and adds the stretches and points where it touches without pressing.
     pub(super) fn with_touches(mut self, nothing: &Nothing) -> Self {
         let pressing = self.contacts_by_kind();
         let ground = pressing.iter().filter(|(kind, _)| !matches!(kind, ContactKind::Bearing(_)));
@@ -33,8 +33,8 @@ impl Exact {
         self
     }
 
-    /// Where the beam lies without pressing: where a load drives it down, it presses or is clear, but for places at which a contact
-    /// appears or goes just in this scene.
+    /// Where the beam touches without pressing. Under a load that drives it down it presses or is clear, except at positions where a
+    /// contact begins or ends just in this scene.
     fn touches(&self, pressed: &[Contact], nothing: &Nothing) -> Vec<Touch> {
         let (given, unit) = (&self.given, self.scale.length);
         if !given.has_obstacle() {
@@ -42,7 +42,7 @@ impl Exact {
         }
         let mut found =
             Lying { given, nothing, taylor: vec![0.0; given.terms], stretches: Vec::new(), places: Vec::new() };
-        // Parts are made before they are looked at: not where a load drives all of the beam down.
+        // Parts are made only if some cell has no load that drives the beam down.
         let looks = given.founded && (0..given.cells.len()).any(|cell| is_idle(given, cell));
         for piece in self.pieces.iter().filter(|_| looks) {
             for part in piece.parts(given).filter(|part| is_idle(given, part.cell)) {
@@ -67,12 +67,12 @@ impl Exact {
         touches.into_iter().map(|[from, to]| Touch { from: from * unit, to: to * unit }).collect()
     }
 
-    /// True if the beam is off what is below it by rounding.
+    /// Whether the clearance of the beam at a position is rounding.
     fn is_near_ground(&self, x: f64, nothing: &Nothing) -> bool {
         self.clearance(x * self.scale.length) <= nothing.depth * self.scale.depth
     }
 
-    /// True if the beam is not clear of the ground between a place and the nearest one on either side of those that it touches already.
+    /// Whether the beam has no clearance between a position and the nearest known contact on either side.
     fn is_one_with(&self, x: f64, known: &[[f64; 2]], nothing: &Nothing) -> bool {
         let nearest = |distance: fn(f64, &[f64; 2]) -> f64| {
             let distances = known.iter().map(|known| distance(x, known)).filter(|distance| 0.0 <= *distance);
@@ -88,13 +88,13 @@ impl Exact {
     }
 }
 
-/// True if no load drives the beam down over a cell.
+/// Whether a cell has no load that drives the beam down.
 fn is_idle(given: &PiecewiseScene, cell: usize) -> bool {
     let cell = &given.cells[cell];
     cell.load == 0.0 && cell.load_slope == 0.0
 }
 
-/// Stretches and places at which a beam without load is on the ground.
+/// Stretches and points at which a beam without load touches the foundation.
 struct Lying<'a> {
     given: &'a PiecewiseScene,
     nothing: &'a Nothing,
@@ -104,10 +104,11 @@ struct Lying<'a> {
 }
 
 impl Lying<'_> {
-    /// Adds those of a part of the beam in one cell: all of it, if it is bent as the ground is, or where it comes nearest.
+    /// Adds the contact of a part of the beam in one cell: the whole part if it is bent like the foundation, or the points where it is
+    /// closest.
     fn add(&mut self, part: &Piece) {
         if part.state.is_none() {
-            // In a zone; where it presses, the ground bends the beam.
+            // In a zone: the beam touches without pressing where its pressure is zero.
             let is_straight = self.given.drive(part.cell, 0.5 * (part.lo + part.hi)) == 0.0;
             self.stretches.extend(is_straight.then_some([part.lo, part.hi]));
             return;
@@ -118,7 +119,7 @@ impl Lying<'_> {
             return self.stretches.push([part.lo, part.hi]);
         }
         part.outwards(&mut self.taylor);
-        // Only what goes below the lower end is looked for inside.
+        // Inside, only values below the lower end value matter.
         let least = ends[0][0].min(ends[1][0]);
         let mut values = Vec::new();
         add_extremes(part, &self.taylor, [least, f64::INFINITY], &mut values);
@@ -126,7 +127,7 @@ impl Lying<'_> {
     }
 }
 
-/// Stretches in the place of those that follow each other.
+/// Joins stretches that follow each other.
 fn joined(mut stretches: Vec<[f64; 2]>, gap: f64) -> Vec<[f64; 2]> {
     stretches.sort_by(|a, b| a[0].total_cmp(&b[0]));
     stretches.dedup_by(|next, last| {

@@ -1,6 +1,7 @@
-//! Tridiagonal systems of which the matrix is eliminated once.
+//! Tridiagonal systems with a matrix that is eliminated once.
 
-/// Eliminates rows of `[left, middle, right]`: what each takes of the row before, its pivot, and what is to the right of it.
+/// Eliminates rows of `[left, middle, right]`. Each result row contains the factor for the row before, the pivot, and the entry to its
+/// right.
 pub(super) fn factored(mut rows: Vec<[f64; 3]>) -> Option<Vec<[f64; 3]>> {
     for i in 0..rows.len() {
         let [_, pivot, upper] = rows[i];
@@ -15,7 +16,7 @@ pub(super) fn factored(mut rows: Vec<[f64; 3]>) -> Option<Vec<[f64; 3]>> {
     Some(rows)
 }
 
-/// The unknowns whose sum with the constants is zero.
+/// Solves for the unknowns: matrix times unknowns plus constants is zero.
 pub(super) fn solved(factors: &[[f64; 3]], mut constants: Vec<f64>) -> Vec<f64> {
     for i in 1..constants.len() {
         constants[i] -= factors[i][0] * constants[i - 1];

@@ -1,99 +1,99 @@
-//! What an answer violates.
+//! The conditions that an answer violates.
 
 use crate::scene::Scale;
 
-/// A condition that an answer violates, in the units of the scene; inside this room in dimensionless numbers.
+/// A condition that an answer violates, in the units of the scene; in dimensionless numbers inside this module.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum Violation {
-    /// The beam lies below the foundation.
+    /// The beam penetrates the foundation.
     #[error("the beam penetrates the foundation by {depth:?} at x = {at:?}")]
     Penetration {
-        /// Where it is worst \[length\].
+        /// Position of the maximum \[length\].
         at: f64,
-        /// By how much \[length\].
+        /// Penetration \[length\].
         depth: f64,
     },
-    /// A contact pulls.
+    /// A contact is in tension.
     #[error("the contact at x = {at:?} pulls with a force of {force:?}")]
     Pull {
-        /// Where \[length\].
+        /// Position \[length\].
         at: f64,
-        /// How much, positive \[force\].
+        /// Tensile force, positive \[force\].
         force: f64,
     },
-    /// At a point of contact the foundation is bent less than the beam.
+    /// At a point contact the foundation is curved less than the beam.
     #[error("the moment at the contact at x = {at:?} is {moment:?} less than the foundation can leave room for")]
     CurvatureGap {
-        /// Where \[length\].
+        /// Position \[length\].
         at: f64,
         /// `EI (v'' − u'')`, positive \[force · length\].
         moment: f64,
     },
-    /// A zone has negative pressure.
+    /// A zone is in tension.
     #[error("the foundation pulls between x = {from:?} and x = {to:?}")]
     PullAlong {
-        /// From where \[length\].
+        /// Start \[length\].
         from: f64,
-        /// To where \[length\].
+        /// End \[length\].
         to: f64,
     },
-    /// A zone goes over a kink or a step.
+    /// A zone extends over a kink or a step.
     #[error("a zone of contact goes over the break of the foundation at x = {at:?}, which no beam can follow")]
     Broken {
-        /// Where \[length\].
+        /// Position \[length\].
         at: f64,
     },
     /// A zone ends before it starts.
     #[error("a zone of contact starts at x = {from:?} and ends at x = {to:?}, before it")]
     Inverted {
-        /// Its start \[length\].
+        /// Start \[length\].
         from: f64,
-        /// Its end \[length\].
+        /// End \[length\].
         to: f64,
     },
-    /// A support and the foundation beside it would have to pull at each other.
+    /// A support and the foundation next to it would require tension between them.
     #[error("the foundation at the support x = {at:?} holds the beam with a moment of {moment:?}, which it cannot")]
     Couple {
-        /// Which support \[length\].
+        /// Position of the support \[length\].
         at: f64,
         /// The moment, positive \[force · length\].
         moment: f64,
     },
-    /// A contact is not where the piece of the foundation is that it was computed for.
+    /// A contact is outside the piece of the foundation for which it was computed.
     #[error("the contact at x = {at:?} was computed for a piece of the foundation that does not reach there")]
     OffPiece {
-        /// Where \[length\].
+        /// Position \[length\].
         at: f64,
     },
-    /// Two ends of a stretch without contact are too close together to be told apart.
+    /// The two ends of a stretch without contact are too close together to be resolved.
     #[error(
         "the beam lifts off between x = {from:?} and x = {to:?}, too short a stretch to be resolved on a beam of this length"
     )]
     Unresolved {
-        /// From where \[length\].
+        /// Start \[length\].
         from: f64,
-        /// To where \[length\].
+        /// End \[length\].
         to: f64,
     },
-    /// The dimensionless answer is one, but in the units of the scene some of its numbers are not.
+    /// The dimensionless answer is finite, but in the units of the scene some of its numbers are not.
     #[error("a number of the answer is beyond the range of 64-bit floating point in the units of the scene")]
     Overflow,
     /// Reactions and contacts do not carry the load.
     #[error("reactions and contacts together carry the load but for a force of {force:?}")]
     Unbalanced {
-        /// What they do not carry, downwards \[force\].
+        /// The rest of the load, downwards \[force\].
         force: f64,
     },
     /// The moment is not continuous.
     #[error("the moment jumps by {jump:?} at a contact")]
     Jump {
-        /// By how much \[force · length\].
+        /// The jump \[force · length\].
         jump: f64,
     },
 }
 
 impl Violation {
-    /// From dimensionless numbers, with moments and forces over `EI`, to the units of the scene.
+    /// Converts dimensionless numbers, with moments and forces over `EI`, to the units of the scene.
     pub(super) fn in_units(self, scale: &Scale, stiffness: f64) -> Self {
         let place = |x: f64| x * scale.length;
         let force = |f: f64| f * stiffness * scale.force;
@@ -114,7 +114,7 @@ impl Violation {
         }
     }
 
-    /// Where it is, if it is at one place.
+    /// The position of the violation, if it has a single one.
     pub(super) fn place(self) -> Option<f64> {
         match self {
             Self::Penetration { at, .. }

@@ -1,11 +1,11 @@
-//! Couples and springs at samples of a chain, which has one moment in each of its joints, and the axial force in its links.
+//! Couples, springs and the axial force in the chain, which has one moment in each of its joints and the axial force in its links.
 
 use super::Samples;
 use crate::theory::chain::ChainSample;
 use crate::theory::piecewise::PiecewiseScene;
 
 impl Samples {
-    /// Adds `N B u` to the loads: by so much the axial force would press a beam that follows the profile.
+    /// Adds `N B u` to the loads: the load of the axial force on a beam that follows the profile.
     pub(super) fn pull(&self, given: &PiecewiseScene, samples: &mut [ChainSample]) {
         if given.tension == 0.0 {
             return;
@@ -22,7 +22,7 @@ impl Samples {
         add(self.far.len(), -given.derivative(given.cells.len() - 1, given.length, 1));
     }
 
-    /// Adds the couples at samples: each link beside one takes its share as two forces.
+    /// Adds the couples at samples: each neighbouring link takes an equal part as a pair of forces.
     pub(super) fn turn(&self, given: &PiecewiseScene, samples: &mut [ChainSample]) {
         let last = samples.len() - 1;
         for i in 0..=last {
@@ -41,9 +41,10 @@ impl Samples {
         }
     }
 
-    /// Adds the springs at samples; those against turning at the ends of the beam only: inside, a first idea does without.
+    /// Adds the springs at samples. Rotational springs count only at the ends of the beam: a first guess does not need the others.
     pub(super) fn on_springs(&self, given: &PiecewiseScene, samples: &mut [ChainSample]) {
-        /// Times the stiffness of the beam: in numbers of 64 bits no more than that bends beside such a spring.
+        /// Spring stiffness relative to the beam, above which the spring is treated as rigid: in 64-bit numbers the bending next to it
+        /// would be lost.
         const STIFF: f64 = 1e8;
         let (last, cube) = (samples.len() - 1, given.length * given.length * given.length);
         for (i, sample) in samples.iter_mut().enumerate() {

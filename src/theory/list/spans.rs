@@ -1,7 +1,7 @@
-//! The spans that the nodes of a list make, from left to right.
+//! The spans between the nodes of a list, from left to right.
 //!
-//! Beyond the outermost node on a side the beam hangs over, and where springs are beyond it, hangs on them: from the outermost spring
-//! outwards it follows by statics, and up to there it is a chain of spans ([`divided`]). Without nodes it is that from end to end.
+//! Beyond the outermost node on a side the beam overhangs, or is supported by springs. In the latter case it is a chain of spans up to
+//! the outermost spring ([`divided`]), and beyond that it follows from statics. A beam without nodes is such a chain from end to end.
 
 use super::super::divided::{self, Parts};
 use super::super::piecewise::PiecewiseScene;
@@ -9,14 +9,14 @@ use super::super::span::{End, Span};
 use super::{List, Node};
 
 impl List {
-    /// The spans and overhangs from left to right, each with the number of nodes to its left; one that is divided by its parts.
+    /// The spans and overhangs from left to right, each with the number of nodes to its left; a divided span is given by its parts.
     pub(in crate::theory) fn spans(&self, given: &PiecewiseScene) -> Vec<(usize, Span)> {
         let mut spans = Vec::with_capacity(self.nodes.len() + 1);
         self.each_span(given, |i, span| spans.push((i, *span)));
         spans
     }
 
-    /// The same one by one: a list may have hundreds of thousands.
+    /// Visits the same spans one by one: a list may have hundreds of thousands.
     pub(in crate::theory) fn each_span(&self, given: &PiecewiseScene, mut visit: impl FnMut(usize, &Span)) {
         let n = self.nodes.len();
         if let Some(parts) = self.outer(given, true) {
@@ -30,14 +30,14 @@ impl List {
         }
     }
 
-    /// On which sides of node `i` nothing holds the beam, so that statics say its moment there.
+    /// On which sides of node `i` the beam has no further support, so that statics determines the moment at the node.
     pub(super) fn overhangs(&self, given: &PiecewiseScene, i: usize) -> [bool; 2] {
         let x = self.nodes[i].x;
         let beyond = |outermost: bool, at_left| outermost && given.spring_beyond(x, at_left).is_none();
         [beyond(i == 0, true), beyond(i + 1 == self.nodes.len(), false)]
     }
 
-    /// What is beyond the outermost node on a side; of a beam without nodes all of it.
+    /// The part of the beam beyond the outermost node on a side; the whole beam if it has no nodes.
     fn outer(&self, given: &PiecewiseScene, at_left: bool) -> Option<Parts> {
         let Some(node) = (if at_left { self.nodes.first() } else { self.nodes.last() }) else {
             return given.acting().next().map(|_| match given.tension == 0.0 {
@@ -45,7 +45,7 @@ impl List {
                 false => divided::parts(given, [true, false].map(|left| End::free_of(given, left)), 0.0),
             });
         };
-        // Under an axial force what hangs over is a span as well, with its springs.
+        // Under an axial force an overhang is a span as well, including its springs.
         if given.tension == 0.0 && given.spring_beyond(node.x, at_left).is_some() {
             return Some(self.sprung(given, at_left));
         }
@@ -71,7 +71,7 @@ impl List {
     fn overhang(&self, given: &PiecewiseScene, node: &Node, at_left: bool) -> Parts {
         let [right, left] = node.cells(given);
         let cell = if at_left { left } else { right };
-        // Where the node leaves the slope free, it is that of the span beside it.
+        // If the node leaves the slope free, the slope is the end slope of the neighbouring span.
         let beside = || {
             let i = if at_left { 1 } else { self.nodes.len() - 1 };
             let joint = node.joint(given);

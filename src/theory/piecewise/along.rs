@@ -1,9 +1,9 @@
-//! Where the beam changes, and where a beam that follows the ground would be pulled.
+//! Changes of the beam along its length, and the tension in a beam that follows the foundation.
 
 use super::{Breakpoint, Cell, PiecewiseScene};
 
 impl PiecewiseScene {
-    /// `e u'''' − N u'' − q` in `cell`: what drives the clearance where nothing touches, and minus the pressure where it does.
+    /// `e u'''' − N u'' − q` in `cell`: it drives the clearance where nothing touches, and is minus the pressure in a contact zone.
     pub(in crate::theory) fn drive(&self, cell: usize, x: f64) -> f64 {
         let degree = self.shapes[self.cells[cell].shape].degree();
         let profile = if degree.is_none_or(|d| 4 <= d) { self.bent(cell, x, 4) } else { 0.0 };
@@ -12,13 +12,13 @@ impl PiecewiseScene {
         profile - pulled - self.load(cell, x)
     }
 
-    /// The same at a distance `t` from `lo`, without the waves of a profile, which follow in closed form.
+    /// The same at a distance `t` from `lo`, without the waves of a profile, which have a closed form.
     pub(in crate::theory) fn drive_without_waves(&self, cell: usize, lo: f64, t: f64) -> f64 {
         let Cell { shape, stiffness, .. } = self.cells[cell];
         stiffness * self.shapes[shape].fourth_without_waves(lo + t) - self.load_beyond(cell, lo, t)
     }
 
-    /// Those at which the beam changes strictly between `a` and `b`.
+    /// The divisions strictly between `a` and `b`.
     pub(in crate::theory) fn divisions_between(&self, a: f64, b: f64) -> &[usize] {
         let x = |i: &usize| self.breakpoints[*i].x;
         let first = self.divisions.partition_point(|i| x(i) <= a);
@@ -26,8 +26,8 @@ impl PiecewiseScene {
         &self.divisions[first..last]
     }
 
-    /// What acts at breakpoint `i` on a beam that follows the ground on both sides: by how much `e v''` would have to jump more than it
-    /// does, and the force, downwards.
+    /// The actions at breakpoint `i` on a beam that follows the foundation on both sides: the missing jump of `e v''`, and the downward
+    /// force.
     pub(in crate::theory) fn acts_along_ground(&self, i: usize) -> [f64; 2] {
         let Breakpoint { x, mut couple, joint, .. } = self.breakpoints[i];
         let ([left, right], force) = (self.cells_beside(i), self.force_on(i));
@@ -40,24 +40,24 @@ impl PiecewiseScene {
         let changes = |order| {
             if self.divisions.is_empty() { 0.0 } else { self.bent(right, x, order) - self.bent(left, x, order) }
         };
-        // A beam that is bent turns in a joint, and the ground does not.
+        // A bent beam rotates in a joint, and the foundation does not.
         let turns = if joint == 0.0 { 0.0 } else { self.bent(right, x, 2) };
         [changes(2) - couple + turns, force - changes(3)]
     }
 
-    /// True if a support stands at breakpoint `i`, or the beam changes there.
+    /// Whether breakpoint `i` is a support or a division of the beam.
     pub(in crate::theory) fn changes_at(&self, i: usize) -> bool {
         self.support_at(i).is_some() || self.divisions.binary_search(&i).is_ok()
     }
 
-    /// The pulling stretches that reach into the open stretch from `a` to `b`; with `a = b`, that contain this place.
+    /// The stretches in tension that overlap the open stretch from `a` to `b`; with `a = b`, those that contain this position.
     pub(in crate::theory) fn pulling_between(&self, a: f64, b: f64) -> impl Iterator<Item = &(f64, f64)> {
         let next = self.pulling.partition_point(|&(_, hi)| hi <= a);
         self.pulling[next..].iter().take_while(move |&&(lo, _)| lo < b)
     }
 
-    /// How far to the left a zone that starts at `x` may be extended, and how far to the right one that ends there: to the
-    /// next pulling stretch, or through the one in which `x` lies.
+    /// The limits to which a zone that starts at `x` may be extended to the left, and a zone that ends there to the right: the next
+    /// stretch in tension, or no limit if `x` is inside one.
     pub(in crate::theory) fn next_pulling(&self, x: f64) -> [f64; 2] {
         let next = self.pulling.partition_point(|&(_, hi)| hi <= x);
         let lo = next.checked_sub(1).map_or(0.0, |i| self.pulling[i].1);
@@ -65,7 +65,7 @@ impl PiecewiseScene {
         if x <= hi { [lo, hi] } else { [0.0, self.length] }
     }
 
-    /// True if the profile is straight beside the free end at breakpoint `i`, where no couple acts, so that a zone may reach it.
+    /// Whether the profile is straight next to the free end at breakpoint `i` and no couple acts there, so that a zone may reach it.
     pub(in crate::theory) fn is_flat_end(&self, i: usize) -> bool {
         let [_, cell] = self.cells_beside(i);
         self.is_free_end(i)

@@ -1,46 +1,46 @@
-//! Supports that give, among the breakpoints.
+//! Elastic supports at the breakpoints.
 //!
 //! ```text
-//! spring            R = k (v − d)              what is left of a load P on a beam that lies at v = g there: P − k (g − d)
-//! turning spring    M jumps by −k (v' − φ)
+//! spring             R = k (v − d)              rest of a load P on a beam that is in contact there, with v = g: P − k (g − d)
+//! rotational spring  M jumps by −k (v' − φ)
 //! ```
 
 use super::PiecewiseScene;
 
-/// A support that gives.
+/// An elastic support.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::theory) struct AtSpring {
-    /// The breakpoint where it is.
+    /// Its breakpoint.
     pub(in crate::theory) breakpoint: usize,
     /// `k`, over `EI₀`.
     pub(in crate::theory) stiffness: f64,
-    /// `d`, the deflection without force.
+    /// `d`, the deflection at which its force is zero.
     pub(in crate::theory) level: f64,
-    /// A spring against turning besides, as at an [`AtSupport`](super::AtSupport).
+    /// A rotational spring in addition, as at an [`AtSupport`](super::AtSupport).
     pub(in crate::theory) turning: Option<[f64; 2]>,
-    /// True if it lets the beam lift off.
+    /// Whether it is a compression-only support.
     pub(in crate::theory) pushes_only: bool,
-    /// True if it acts: one that only pushes does so where it is pressed.
+    /// Whether it is active; a compression-only spring is active where it is pressed.
     pub(in crate::theory) acts: bool,
 }
 
 impl PiecewiseScene {
-    /// True if no support gives.
+    /// Whether no support is elastic.
     pub(in crate::theory) fn is_firm(&self) -> bool {
         self.springs.is_empty() && !self.turns
     }
 
-    /// The supports that give and act, from left to right.
+    /// The active elastic supports, from left to right.
     pub(in crate::theory) fn acting(&self) -> impl DoubleEndedIterator<Item = &AtSpring> {
         self.springs.iter().filter(|spring| spring.acts)
     }
 
-    /// The one of them at breakpoint `i`.
+    /// The active elastic support at breakpoint `i`.
     pub(in crate::theory) fn spring_at(&self, i: usize) -> Option<&AtSpring> {
         self.giving_at(i).filter(|spring| spring.acts)
     }
 
-    /// The support at breakpoint `i` that gives and only pushes, pressed or not.
+    /// The elastic compression-only support at breakpoint `i`, active or not.
     pub(in crate::theory) fn stop_at(&self, i: usize) -> Option<&AtSpring> {
         self.giving_at(i).filter(|spring| spring.pushes_only)
     }
@@ -49,7 +49,7 @@ impl PiecewiseScene {
         self.springs.binary_search_by_key(&i, |spring| spring.breakpoint).ok().map(|at| &self.springs[at])
     }
 
-    /// The spring against turning at breakpoint `i`: its stiffness, and the slope without moment.
+    /// The rotational spring at breakpoint `i`: its stiffness, and the slope at which its moment is zero.
     pub(in crate::theory) fn turning_at(&self, i: usize) -> Option<[f64; 2]> {
         if !self.turns {
             return None;
@@ -60,7 +60,7 @@ impl PiecewiseScene {
         }
     }
 
-    /// The outermost one beyond `x`, to the left of it or to the right.
+    /// The outermost active spring beyond `x`, on its left or on its right.
     pub(in crate::theory) fn spring_beyond(&self, x: f64, at_left: bool) -> Option<&AtSpring> {
         let at = |spring: &&AtSpring| self.breakpoints[spring.breakpoint].x;
         match at_left {
@@ -69,18 +69,18 @@ impl PiecewiseScene {
         }
     }
 
-    /// What acts downwards at breakpoint `i` on a beam that touches there.
+    /// The downward force at breakpoint `i` on a beam that touches there.
     pub(in crate::theory) fn force_on(&self, i: usize) -> f64 {
         let (at, spring) = (&self.breakpoints[i], self.spring_at(i));
         spring.map_or(at.force, |spring| at.force - spring.stiffness * (at.depth - spring.level))
     }
 
-    /// The same exactly at `x`, which most likely lies in cell `near`.
+    /// The downward force exactly at `x`; `near` is the cell that most likely contains `x`.
     pub(in crate::theory) fn force_at(&self, x: f64, near: usize) -> f64 {
         self.exactly_at(x, near).map_or(0.0, |i| self.force_on(i))
     }
 
-    /// The forces, upwards, of the springs strictly between `a` and `b`, where the beam lies on the ground.
+    /// The upward forces of the springs strictly between `a` and `b`, where the beam is in contact: `(position, force)`.
     pub(in crate::theory) fn springs_in_zone(&self, a: f64, b: f64) -> impl Iterator<Item = (f64, f64)> + '_ {
         let on_ground = |spring: &AtSpring| {
             let at = &self.breakpoints[spring.breakpoint];

@@ -1,4 +1,4 @@
-//! The beam on ground that gives as an [`Exact`] solution: contacts, forces, extremes and energy, in the units of the scene.
+//! The beam on an elastic foundation as an [`Exact`] solution: contacts, forces, extremes and energy, in the units of the scene.
 
 use super::bearings::{force, search_with};
 use super::{Part, StretchSet, beside, coarse, deepest, part_at};
@@ -16,22 +16,22 @@ use crate::theory::piecewise::{AtSpring, AtSupport, Breakpoint, PiecewiseScene};
 use crate::theory::summary::{add_extremes, differentiated};
 use crate::theory::violation::Violation;
 
-/// A penetration on the wrong side, as a share of the largest one and never less than [`rounding`], that is the rounding of where a zone
-/// ends.
+/// Tolerance of a penetration with the wrong sign, as a share of the largest one but at least of [`rounding`]: the rounding of the end
+/// positions of zones.
 const MOST_VIOLATED: f64 = 1e-9;
 
-/// The functions of `x` of a solution, dimensionless.
+/// A solution as functions of `x`, dimensionless.
 #[derive(Debug, Clone)]
 pub(in crate::theory) struct Springs {
     pub(super) parts: Vec<Part>,
-    /// Where it is pressed, from left to right.
+    /// The pressed stretches, from left to right.
     pub(super) stretches: Vec<[f64; 2]>,
-    /// `k` over `EI₀`, where the ground is stiffest.
+    /// `k` over `EI₀`, where the foundation is stiffest.
     pub(super) stiffness: f64,
 }
 
 impl Springs {
-    /// The part at `x`, of two the left or the right one.
+    /// The part at `x`, at a boundary the left or the right one.
     pub(in crate::theory) fn part(&self, x: f64, right: bool) -> &Part {
         part_at(&self.parts, x, right)
     }
@@ -42,28 +42,28 @@ impl Springs {
         if part.pressed { self.stiffness * part.ground * part.sunk(x)[0] } else { 0.0 }
     }
 
-    /// How many parts there are.
+    /// The number of parts.
     pub(in crate::theory) fn size(&self) -> usize {
         self.parts.len()
     }
 
-    /// How many unknowns the beam on them has.
+    /// The number of unknowns of the beam on these parts.
     pub(in crate::theory) fn unknowns(&self) -> usize {
         4 * self.parts.len()
     }
 
-    /// Places that are near enough to each other to see how the beam decays into the ground.
+    /// Positions close enough to each other to show how the deflection decays into the foundation.
     pub(in crate::theory) fn places(&self) -> impl Iterator<Item = f64> + '_ {
         let inside = |part: &Part| [0.0, 0.25, 0.5, 0.75].map(|s| part.piece.place(s * part.piece.width()));
         self.parts.iter().filter(|part| part.pressed).flat_map(inside)
     }
 
-    /// The parts on which nothing presses.
+    /// The parts without pressure.
     pub(in crate::theory) fn hanging(&self) -> impl Iterator<Item = &Part> {
         self.parts.iter().filter(|part| !part.pressed)
     }
 
-    /// The parts as a witness.
+    /// The parts as stretches for a certificate.
     pub(in crate::theory) fn stretches(&self) -> impl Iterator<Item = Stretch> + '_ {
         self.parts.iter().map(|part| {
             let Piece { lo, hi, anchor, .. } = part.piece;
@@ -74,19 +74,19 @@ impl Springs {
         })
     }
 
-    /// Extremes of the clearance on the parts with ground below them whose middle lies between two places; [`None`] if there are none.
+    /// Extremes of the clearance over the parts with a foundation whose middle is between two positions; [`None`] if there are none.
     pub(in crate::theory) fn clearance_extremes(&self, ends: [f64; 2]) -> Option<Extremes> {
         let grounded = || self.between(ends).filter(|part| 0.0 < part.ground);
         grounded().next()?;
         Some(extremes(grounded(), |part: &Part| part.penetration.iter().map(|c| -c).collect()))
     }
 
-    /// Extremes of `−e v''` between two places.
+    /// Extremes of `−e v''` between two positions.
     pub(in crate::theory) fn bend_extremes(&self, ends: [f64; 2]) -> Extremes {
         extremes(self.between(ends), bend)
     }
 
-    /// The parts whose middle lies between two places.
+    /// The parts whose middle is between two positions.
     fn between(&self, [from, to]: [f64; 2]) -> impl Iterator<Item = &Part> {
         let first = self.parts.partition_point(|part| part.piece.hi < from);
         self.parts[first..].iter().take_while(move |part| part.piece.lo <= to).filter(move |part| {
@@ -96,7 +96,7 @@ impl Springs {
     }
 }
 
-/// Extremes of a function that has Taylor coefficients on each part.
+/// Extremes of a function with Taylor coefficients on each part.
 fn extremes<'a>(parts: impl Iterator<Item = &'a Part>, of: impl Fn(&Part) -> Vec<f64>) -> Extremes {
     let mut values = Vec::new();
     for part in parts {
@@ -118,12 +118,13 @@ pub(super) fn second(taylor: &[f64]) -> Vec<f64> {
     differentiated(differentiated(&mut taylor)).to_vec()
 }
 
-/// The exact solution of a dimensionless scene on ground of a stiffness; `near` are answers of scenes beside it, to start from.
+/// The exact solution of a dimensionless scene on a foundation of this stiffness; the search starts from the answers `near` of
+/// neighbouring scenes.
 ///
 /// # Errors
 ///
-/// [`SceneError::Overflow`] for a stiffness beyond the range in which the beam on it can be computed, and [`Unheld::OnBorder`] where
-/// nothing presses beside the one support above which the loads are.
+/// [`SceneError::Overflow`] for a stiffness outside the range in which the beam can be computed, and [`Unheld::OnBorder`] if the loads
+/// are above the only support and nothing presses next to it.
 pub(in crate::theory) fn exact(
     scaled: &Scaled,
     given: PiecewiseScene,
@@ -134,7 +135,7 @@ pub(in crate::theory) fn exact(
     let (quantity, what) = (Quantity::GroundStiffness, "the stiffness of the ground over that of the beam");
     let pushed = !given.bearings.is_empty() || given.springs.iter().any(|spring| spring.pushes_only);
     let none = || match scaled.balance.in_units_of(&scaled.scale).resultant() {
-        // Nothing presses on either side of the one place that carries the beam.
+        // Nothing presses on either side of the only position that carries the beam.
         Some(Resultant { force, at }) if pushed => Unheld::OnBorder { force, at }.into(),
         _ => SceneError::Overflow { quantity, what, value: springs },
     };
@@ -176,7 +177,7 @@ pub(in crate::theory) fn exact(
     })
 }
 
-/// Stretches to start from: those of the answers of scenes beside this one, or of a coarse bed.
+/// Stretches to start from: from the answers of neighbouring scenes, or from a coarse bed.
 fn starts(scaled: &Scaled, springs: f64, near: &[&Exact]) -> Vec<Vec<[f64; 2]>> {
     let carried = |exact: &&Exact| {
         let unit = exact.scale.length / scaled.scale.length;
@@ -187,16 +188,16 @@ fn starts(scaled: &Scaled, springs: f64, near: &[&Exact]) -> Vec<Vec<[f64; 2]>> 
     if near.is_empty() { coarse::stretches(&scaled.scene, springs).into_iter().collect() } else { near }
 }
 
-/// What a penetration is rounded by: the digits of the deflection, and how far it changes by those of a place.
+/// The rounding of a penetration: of the digits of the deflection, and of its change by the digits of a position.
 fn rounding(part: &Part, length: f64) -> f64 {
-    /// A handful of roundings of each.
+    /// A few roundings of each.
     const UNITS: f64 = 16.0;
     let size = [part.piece.lo, part.piece.hi].map(|x| part.beam(x)[0].abs() + length * part.sunk(x)[1].abs());
     UNITS * f64::EPSILON * size[0].max(size[1])
 }
 
-/// By how much a part violates its side of the surface: where springs press `w` is not negative, elsewhere not positive. Where there are none it
-/// is free.
+/// The violation of the sign of `w` on a part: where springs press `w` must not be negative, elsewhere not positive. Without a
+/// foundation it is free.
 fn violation(part: &Part) -> f64 {
     if part.ground <= 0.0 {
         return 0.0;
@@ -205,7 +206,7 @@ fn violation(part: &Part) -> f64 {
     if part.pressed { -min } else { max }
 }
 
-/// The dimensionless state, from the stiffness of the ground over that of the beam, and that.
+/// The dimensionless state, from the stiffness of the foundation over the stiffness of the beam, and the stiffness of the beam.
 fn state(
     given: &PiecewiseScene,
     parts: &[Part],
@@ -243,14 +244,14 @@ fn state(
     }
 }
 
-/// What a support carries.
+/// The reaction of a rigid support.
 fn support(given: &PiecewiseScene, parts: &[Part], i: usize, stiffness: f64) -> SupportForce {
     let AtSupport { breakpoint, built_in, turning, .. } = given.supports[i];
     let holds = built_in || turning.is_some();
     let x = given.breakpoints[breakpoint].x;
     let force = force(given, parts, breakpoint) * stiffness;
     if given.is_bearing(breakpoint) {
-        // Less than nothing by rounding.
+        // Negative only by rounding.
         return SupportForce::pushing(x, force.max(0.0));
     }
     let [left, right] = beside(parts, x);
@@ -264,7 +265,7 @@ fn support(given: &PiecewiseScene, parts: &[Part], i: usize, stiffness: f64) -> 
     }
 }
 
-/// What a support that gives carries.
+/// The reaction of an elastic support.
 fn giving(given: &PiecewiseScene, parts: &[Part], spring: &AtSpring, stiffness: f64) -> SupportForce {
     let AtSpring { breakpoint, stiffness: k, level, turning, pushes_only, acts } = *spring;
     let at = &given.breakpoints[breakpoint];
@@ -277,7 +278,7 @@ fn giving(given: &PiecewiseScene, parts: &[Part], spring: &AtSpring, stiffness: 
     let force = exerted(k, [v, level], force(given, parts, breakpoint), [v.abs(), size]);
     SupportForce {
         at: at.x,
-        // Less than nothing by rounding.
+        // Negative only by rounding.
         force: if pushes_only { force.max(0.0) } else { force } * stiffness + 0.0,
         moment: turning.map(|_| -larger_moment([left[2], right[2]]) * stiffness),
         couple: turning.map_or(0.0, |_| (left[2] - right[2] + at.couple) * stiffness),
@@ -285,13 +286,13 @@ fn giving(given: &PiecewiseScene, parts: &[Part], spring: &AtSpring, stiffness: 
     }
 }
 
-/// What supports that give take up: `½ Σ R²/k_s + ½ Σ T²/k_t` over `EI₀`.
+/// The energy in elastic supports: `½ Σ R²/k_s + ½ Σ T²/k_t` over `EI₀`.
 fn in_springs(given: &PiecewiseScene, parts: &[Part]) -> f64 {
     let sunk = given.acting().map(|spring| {
         let x = given.breakpoints[spring.breakpoint].x;
         let force = giving(given, parts, spring, 1.0).force;
         let off = part_at(parts, x, false).beam(x)[0] - spring.level;
-        // Of the two the one with digits.
+        // Of the two expressions, the one with more digits.
         0.5 * if spring.stiffness * off.abs() < force.abs() {
             spring.stiffness * off * off
         } else {
@@ -313,14 +314,14 @@ pub(super) fn integral(taylor: &[f64], width: f64) -> f64 {
     taylor.iter().enumerate().rev().fold(0.0, |sum, (j, c)| sum * width + c / (j + 1) as f64) * width
 }
 
-/// Exact for squares of what is on a part.
+/// The quadrature rule that is exact for squares of the functions on a part.
 pub(super) fn rule(given: &PiecewiseScene) -> Gauss {
-    /// Over a length of `1/λ` squares of what decays and turns over it are exact to rounding.
+    /// Degree at which squares of functions that decay and oscillate are exact to rounding over a length of `1/λ`.
     const PRESSED_DEGREE: usize = 29;
     Gauss::exact_to((2 * given.terms).max(PRESSED_DEGREE))
 }
 
-/// `J / EI₀ = ∫ ½ e v''² + ½ N v'² + ½ K (v − g)₊² − q v dx − Σ P v − Σ C v' + ½ Σ w (e v'')²`, the last of joints.
+/// `J / EI₀ = ∫ ½ e v''² + ½ N v'² + ½ K (v − g)₊² − q v dx − Σ P v − Σ C v' + ½ Σ w (e v'')²`; the last sum is over joints.
 fn energy(given: &PiecewiseScene, parts: &[Part], springs: f64) -> f64 {
     let rule = rule(given);
     let mut sum = 0.0;
@@ -341,7 +342,7 @@ fn energy(given: &PiecewiseScene, parts: &[Part], springs: f64) -> f64 {
     });
     let sum = turned.fold(sum, |sum, turned| sum + turned);
     given.forces().fold(sum, |sum, &Breakpoint { x, force, couple, .. }| {
-        // The slope of a short part is a quotient by its length.
+        // The slope of a short part is a quotient by its length, so the longer part is used.
         let [left, right] = [false, true].map(|right| part_at(parts, x, right));
         let [v, v1, ..] = if left.piece.width() < right.piece.width() { right } else { left }.beam(x);
         sum - force * v + couple * v1

@@ -1,24 +1,26 @@
-//! Supports that only push beside ground that gives: which of them press is found by a loop on their set, around that on the stretches.
+//! Compression-only supports next to an elastic foundation: a loop on their set finds the pressed ones, around the loop on the
+//! stretches.
 //!
 //! ```text
-//! B ← all;    repeat  v ← the beam on springs that B holds as supports do;  B ← B − { R < 0 } + { v > level },    until B stays
+//! B ← all;    repeat  v ← the beam on springs with B as supports;  B ← B − { R < 0 } + { v > level },    until B stays
 //! ```
 //!
-//! From all of them on, the beam is held by more than it needs, which stiff ground alone is slow to do; where that does not settle, from
-//! none.
+//! Starting with all of them, the beam has more supports than it needs. On a stiff foundation alone the search would be slow. If the
+//! loop does not settle, it starts again with none.
 //!
-//! Of a linear problem whose matrix is positive definite, exchanging one at a time, always the last that is on the wrong side, comes to
-//! an end (Murty 1974). With ground that gives the problem is linear by parts only, and that is not proven: work has a limit. All of
-//! them are exchanged at once as long as fewer become wrong.
+//! For a linear problem with a positive definite matrix, exchanging one support at a time, always the last one on the wrong side,
+//! terminates (Murty 1974). On an elastic foundation the problem is only piecewise linear and termination is not proven, so the work is
+//! limited. All supports are exchanged at once as long as the number of wrong ones falls.
 
 use super::{Part, ROUNDING, StretchSet, Work, beside, part_at, search};
 use crate::theory::piecewise::{AtSpring, AtSupport, PiecewiseScene};
 
-/// All on the wrong side are exchanged so often without a better set than any before. *Tuned*: any small number will do, since one at a
-/// time follows.
+/// Number of exchanges of all wrong supports at once without a better set than before. *Tuned*: any small number will do, since single
+/// exchanges follow.
 const PATIENCE: usize = 3;
 
-/// A scene with those of the supports that only push as supports that press, and the beam on them; `near` are stretches that are nearly right.
+/// The scene in which the pressed compression-only supports act as supports, and the beam on them; `near` are stretches that are nearly
+/// right.
 pub(super) fn search_with(
     given: PiecewiseScene,
     springs: f64,
@@ -34,12 +36,12 @@ pub(super) fn search_with(
     if is_settled { all } else { exchange(&given, springs, near, false, &mut work).or(all) }
 }
 
-/// How many supports only push: those that hold the beam where they press, and behind them those that give.
+/// The number of compression-only supports: the rigid ones, followed by the elastic ones.
 fn pushing(given: &PiecewiseScene) -> usize {
     given.bearings.len() + given.springs.iter().filter(|spring| spring.pushes_only).count()
 }
 
-/// The same from all of them, or from none.
+/// The same, starting with all of them or with none.
 fn exchange(
     given: &PiecewiseScene,
     springs: f64,
@@ -64,7 +66,7 @@ fn exchange(
     }
 }
 
-/// The scene on supports that hold in the places of those that press.
+/// The scene with the pressed compression-only supports as supports that hold.
 fn holding(given: &PiecewiseScene, presses: &[bool]) -> PiecewiseScene {
     let mut held = given.clone();
     let pressed = given.bearings.iter().zip(presses).filter(|(_, presses)| **presses);
@@ -84,12 +86,12 @@ fn holding(given: &PiecewiseScene, presses: &[bool]) -> PiecewiseScene {
     held
 }
 
-/// Those that would have to pull, and those that the beam would be below; what is so by rounding is not.
+/// The supports that would be in tension, and those that the beam would penetrate, both beyond rounding.
 fn wrong(held: &PiecewiseScene, parts: &[Part], presses: &[bool]) -> Vec<usize> {
     let forces = held.supports.iter().map(|support| force(held, parts, support.breakpoint).abs());
     let force_size = forces.fold(held.total_load, f64::max);
     let size = parts.iter().fold(0.0, |most: f64, part| most.max(part.beam(part.piece.lo)[0].abs()));
-    // A stop that is pressed is below its level, one that is not is above it.
+    // A pressed elastic support must be below its level, and one that is not pressed above it.
     let is_off = |stop: &AtSpring, presses: bool| {
         let x = held.breakpoints[stop.breakpoint].x;
         let sunk = part_at(parts, x, false).beam(x)[0] - stop.level;
@@ -110,7 +112,8 @@ fn wrong(held: &PiecewiseScene, parts: &[Part], presses: &[bool]) -> Vec<usize> 
     (0..presses.len()).filter(is_wrong).collect()
 }
 
-/// What holds the beam at a breakpoint, over `EI`: `v'''(x+) − v'''(x−) = P − R`, and under an axial force less `N [v']`, where the slope jumps.
+/// The support force at a breakpoint, over `EI`: `v'''(x+) − v'''(x−) = P − R`, with an axial force less `N [v']` where the slope
+/// jumps.
 pub(super) fn force(given: &PiecewiseScene, parts: &[Part], breakpoint: usize) -> f64 {
     let at = &given.breakpoints[breakpoint];
     let [before, behind] = beside(parts, at.x);

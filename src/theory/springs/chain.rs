@@ -1,5 +1,5 @@
-//! The chain of links that a beam on springs is: at a node `v'` is continuous and `V` jumps by the force, which makes
-//! [blocks](crate::qp::blocks) of `h` and `M`. What a beam is held by on one side only hangs there by statics, and where it is built in
+//! The chain of links that forms a beam on springs: at a node `v'` is continuous and `V` jumps by the force, which gives
+//! [blocks](crate::qp::blocks) of `h` and `M`. A part that is supported on one side only follows from statics. At a built-in support
 //! one chain ends and another begins.
 
 use super::Part;
@@ -12,21 +12,21 @@ use crate::theory::overhang::Overhang;
 use crate::theory::piecewise::PiecewiseScene;
 use crate::theory::span::Span;
 
-/// A node of the chain: its block, `Θ`, the right-hand sides, and what is known of `h, h', M, V`. A spring against turning inside is a row
-/// of its own before that of its node.
+/// A node of the chain: its block, `Θ`, the right-hand sides, and the known ones of `h, h', M, V`. An inner rotational spring is a row
+/// of its own before the row of its node.
 #[derive(Default)]
 struct Row {
     block: Block,
     theta: f64,
     right: [f64; 2],
     known: [Option<f64>; 4],
-    /// `V` beyond an end of the chain, with what acts on the end.
+    /// `V` beyond an end of the chain, including the force at the end.
     beyond: f64,
-    /// Of a support that gives its stiffness, and `h` without force.
+    /// Stiffness of an elastic support, and `h` at which its force is zero.
     spring: [f64; 2],
-    /// Of a spring against turning its stiffness, `h'` without moment, and at an end of the chain `M` beyond it.
+    /// Stiffness of a rotational spring, `h'` at which its moment is zero, and at an end of the chain `M` beyond it.
     turning: Option<[f64; 3]>,
-    /// Of the link to its right what pulls at it, as a string.
+    /// `n`, the stiffness of the link to its right as a string under the axial force.
     pull: f64,
 }
 
@@ -36,8 +36,8 @@ impl AsMut<Block> for Row {
     }
 }
 
-/// The beam on springs that press on stretches, from left to right; [`None`] if nothing holds it there. To the load comes the penetration
-/// of a beam that is pressed on the same stretches, times a factor.
+/// The beam on springs that press on stretches, from left to right; [`None`] if nothing holds it there. The penetration `sunk` of a
+/// beam pressed on the same stretches, times a factor, is added to the load.
 pub(super) fn solve<'a>(
     given: &'a PiecewiseScene,
     springs: f64,
@@ -60,9 +60,9 @@ pub(super) fn solve<'a>(
 }
 
 impl<'a> Beam<'a> {
-    /// The chain of links `lo` to `hi`, without `hi`: `h, h', M, V` at both ends of each.
+    /// The chain of links `lo` to `hi`, excluding `hi`: `h, h', M, V` at both ends of each link.
     fn chain(&self, lo: usize, hi: usize) -> Option<Vec<Ends>> {
-        // `h` of a node is that on its right side.
+        // `h` of a node is the value on its right side.
         let step = |i: usize| if i < hi { self.jump(i)[0] } else { 0.0 };
         let turns = |i: usize| if lo < i && i < hi { self.turns(i) } else { [0.0; 2] };
         let loaded = |i: usize| {
@@ -78,9 +78,9 @@ impl<'a> Beam<'a> {
             let turned = far - usize::from(places[i - lo] + 1 < far);
             rows[turned].right[1] += turn_b;
         }
-        // Beside a hinge elimination must not begin where the beam could move without the rest.
+        // Next to a hinge, elimination must not begin in a part that could move without the rest.
         let hinge = (lo + 1..hi).rev().find(|i| self.joint(*i).is_infinite()).filter(|_| rows.len() == places.len());
-        // Under an axial force towards a free end.
+        // Under an axial force, elimination goes towards a free end.
         let hangs = self.given.tension != 0.0 && self.links[lo].kind == Kind::Span && !self.is_supported(lo);
         let last = if hangs { 0 } else { rows.len() - 1 };
         let meeting = hinge.map_or(last, |i| places[i - lo]);
@@ -92,9 +92,9 @@ impl<'a> Beam<'a> {
             factor_under_tension(&mut rows, meeting, |row| row.theta, left);
         }
         solve_towards(&mut rows, meeting, |row| row.right);
-        // What nothing holds but rounding moves by any amount.
+        // A part that only rounding holds moves by any amount.
         let moves = |row: &Row| row.block.step.iter().any(|value| MOST < value.abs());
-        // Under compression a part beside a free end has a negative pivot, which others make up for.
+        // In compression a part next to a free end has a negative pivot, which other parts make up for.
         let failed = |row: &Row| row.block.failed().is_some() && (0.0 <= tension || !row.block.is_finite());
         if rows.iter().any(|row| failed(row) || hinge.is_some() && moves(row)) {
             return None;
@@ -102,7 +102,7 @@ impl<'a> Beam<'a> {
         let at = |row: &Row| [0, 2].map(|j| row.known[j].unwrap_or(row.block.step[j / 2]));
         let mut ends: Vec<Ends> = (lo..hi)
             .map(|i| {
-                // Before a spring against turning the moment is another one.
+                // Before a rotational spring the moment is different.
                 let ([h, m], [_, n]) = (at(&rows[places[i - lo]]), at(&rows[places[i - lo] + 1]));
                 let [k, _] = at(&rows[places[i + 1 - lo]]);
                 let (k, m, n) = (k - step(i + 1), m + turns(i)[1], n - turns(i + 1)[0]);
@@ -119,14 +119,14 @@ impl<'a> Beam<'a> {
         Some(ends)
     }
 
-    /// By what `M` of node `i` is more than `M` just left of it, and less than `M` just right of it: a couple is a load of the longer one of
-    /// both links. Over a short one it would be two forces that are the larger the shorter it is, and cancel.
+    /// The excess of `M` at node `i` over `M` just left of it, and of `M` just right of it over `M` at the node. A couple is a load of
+    /// the longer of the two links. Over a short link it would be a pair of forces that grow as the link shortens, and cancel.
     fn turns(&self, i: usize) -> [f64; 2] {
         let ([left, right], turn) = ([&self.links[i - 1], &self.links[i]], self.acts(i)[1]);
         if left.hi - left.lo < right.hi - right.lo { [0.0, turn] } else { [turn, 0.0] }
     }
 
-    /// The rows of the chain from node `lo` to node `hi`, and which is that of each node.
+    /// The rows of the chain from node `lo` to node `hi`, and the row index of each node.
     fn rows(&self, [lo, hi]: [usize; 2]) -> (Vec<Row>, Vec<usize>) {
         let (mut rows, mut places) = (Vec::with_capacity(hi - lo + 1), Vec::with_capacity(hi - lo + 1));
         for i in lo..=hi {
@@ -143,8 +143,8 @@ impl<'a> Beam<'a> {
         (rows, places)
     }
 
-    /// A node of the chain from node `lo` to node `hi`, but for what loads on links do; the turn of what is on its left may be that of a row of
-    /// its own.
+    /// The row of a node in the chain from node `lo` to node `hi`, without the loads of links. The rotation of the link on its left may
+    /// be in a row of its own.
     fn row(&self, i: usize, [lo, hi]: [usize; 2], is_turning: bool) -> Row {
         let (left, right) = ((lo < i).then(|| &self.links[i - 1]), (i < hi).then(|| &self.links[i]));
         let turned = |of: fn(&Link) -> f64| left.filter(|_| !is_turning).map_or(0.0, of) + right.map_or(0.0, of);
@@ -198,14 +198,14 @@ impl<'a> Beam<'a> {
         Row { block, theta, right: [pushed, bend], known, beyond, spring, turning, pull }
     }
 
-    /// Over a short link the shear force, the difference of two moments over its length, has few digits: it is what comes from a longer
-    /// one beside it.
+    /// Replaces the shear force over short links, the difference of two moments over a small length, by the value from a longer
+    /// neighbouring link, which has more digits.
     fn shear_over_short_links(&self, lo: usize, ends: &mut [Ends]) {
         let count = ends.len();
         let mut length: Vec<f64> = self.links[lo..lo + count].iter().map(|link| link.hi - link.lo).collect();
         for (from, to) in (1..count).map(|i| (i - 1, i)).chain((1..count).rev().map(|i| (i, i - 1))) {
             let (node, link) = (lo + from.max(to), &self.links[lo + to]);
-            // A support takes a share of it.
+            // A support takes a share of the shear force.
             if length[from] <= 2.0 * length[to] || self.is_supported(node) || link.kind == Kind::Deep {
                 continue;
             }
@@ -218,8 +218,8 @@ impl<'a> Beam<'a> {
         }
     }
 
-    /// One more solve for what remains: with the shear forces over short links it takes the answer to the rounding of its own terms
-    /// (Skeel 1980).
+    /// Solves once more for the residual. With the shear forces over short links this makes the answer accurate to the rounding of its
+    /// own terms (Skeel 1980).
     fn refine(&self, lo: usize, (rows, places): (&mut [Row], &[usize]), meeting: usize, ends: &mut [Ends]) {
         let last = places.len() - 1;
         for (i, &place) in places.iter().enumerate() {
@@ -233,7 +233,7 @@ impl<'a> Beam<'a> {
             };
             let row = &rows[place];
             let here = if i < last { ends[i][0] } else { ends[i - 1][1] };
-            // What a spring against turning at an end leaves of the slope.
+            // The slope that a rotational spring leaves at an end.
             let held = row
                 .turning
                 .map(|[k, without, moment]| without + if i == 0 { here[2] - moment } else { moment - here[2] } / k);
@@ -270,7 +270,7 @@ impl<'a> Beam<'a> {
 
     fn solved(self) -> Option<Solved<'a>> {
         let n = self.links.len();
-        // Under an axial force what hangs over is a part of the chain.
+        // With an axial force, overhangs are part of the chain.
         let is_slack = self.given.tension == 0.0;
         let hangs = [0, n].map(|i| is_slack && self.links[i.min(n - 1)].kind == Kind::Span && !self.is_supported(i));
         let (lo, hi) = (usize::from(hangs[0]), n.checked_sub(usize::from(hangs[1]))?);
@@ -295,7 +295,7 @@ impl<'a> Beam<'a> {
         Some(Solved { beam: self, held: lo, ends, overhangs })
     }
 
-    /// A link that hangs between two nodes.
+    /// A link without pressure between two nodes.
     pub(super) fn between(&self, i: usize, ends: &Ends) -> Span {
         let link = &self.links[i];
         let [at, beam] = [0, 1].map(|which| {
@@ -310,26 +310,26 @@ impl<'a> Beam<'a> {
         Span { a, b, at_a: at[0], at_b: at[1], beam_a: beam[0], beam_b: beam[1], stiffness, answer: None }
     }
 
-    /// The loads on both sides of the one node that holds the beam, and on it.
+    /// The loads on both sides of the only node that holds the beam, and on the node.
     fn alone(&self, node: usize) -> ([Overhang; 2], f64, [f64; 2]) {
         let x = self.links.get(node).map_or(self.given.length, |link| link.lo);
         ([true, false].map(|left| Overhang::of(self.given, x, left)), x, self.acts(node))
     }
 
-    /// The slope of a beam that one spring against turning holds alone.
+    /// The slope of a beam that one rotational spring holds alone.
     fn turned_alone(&self, node: usize) -> Option<f64> {
         let ([k, without], ([left, right], _, [_, couple])) = (self.turning(node)?, self.alone(node));
         Some(without - (left.moment - right.moment - couple) / k)
     }
 
-    /// `h` and `v` at the one support that gives and holds the beam alone.
+    /// `h` and `v` at the only support, which is elastic.
     fn sunk_alone(&self, node: usize) -> Option<(f64, f64)> {
         let (spring, ([left, right], x, [force, _])) = (self.spring(node)?, self.alone(node));
         let level = spring.level + (left.force + right.force - force) / spring.stiffness;
         Some((self.given.depth(x) - level, level))
     }
 
-    /// The first or the last link, of which an end is free, from what the beam is on the other side of where it is held.
+    /// The first or the last link, which has a free end, from the beam on the other side of its node.
     fn overhang(&self, i: usize, held: usize, beside: Option<(&Link, usize, [f64; 4])>) -> Option<Vec<Span>> {
         let (link, node) = (&self.links[i], i + held);
         let beside = beside.map(|(link, side, [h, h1, ..])| [h, link.base[side][0] - h, link.base[side][1] - h1]);

@@ -1,16 +1,17 @@
-//! Derivatives of the beam on ground that gives by the numbers of its scene.
+//! Derivatives of the beam on an elastic foundation with respect to the numbers of its scene.
 //!
-//! At the ends of the pressed stretches the pressure is zero, so that they do not move to the first order in what they carry: the
-//! change `v'` of the deflection is that of the beam on springs on the same stretches, a linear problem with the same matrix:
+//! The pressure is zero at the ends of the pressed stretches, so to first order their movement does not affect the forces. The change
+//! `v'` of the deflection is the deflection of the beam on springs on the same stretches, a linear problem with the same matrix:
 //!
 //! ```text
-//! EI v'''' + k (v' − g') = q'        q' of a load;  g' = 1 as the ground sinks;  v' = 1 at a support that sinks
+//! EI v'''' + k (v' − g') = q'        q' of a load;  g' = 1 as the foundation settles;  v' = 1 at a support that settles
 //!                         = −k w     as k grows by its logarithm, w = v − g
 //!                         = k w − q  as EI does
 //! a load P that moves: v'' jumps by −P/EI where it is
 //! ```
 //!
-//! An end of a stretch, `w = 0`, moves by `−w'(x)/(dw/dx)`. The energy is the least one: its derivative is that of the functional alone.
+//! An end of a stretch, `w = 0`, moves by `−w'(x)/(dw/dx)`. The energy is at its minimum, so its derivative is the derivative of the
+//! functional alone.
 
 use super::answer::{integral, rule};
 use super::bearings::force;
@@ -24,13 +25,13 @@ use crate::theory::piecewise::PiecewiseScene;
 use crate::theory::sensitivity::Change;
 use crate::theory::shape::Shape;
 
-/// Which supports stand in the foundation: as one comes into it a contact begins there.
+/// Whether each support is inside the foundation: when a support enters it, a contact begins there.
 fn standing(scene: &Scene) -> impl Iterator<Item = bool> + '_ {
     scene.beam().supports().iter().map(|support| scene.stands_in_ground(support))
 }
 
 impl Exact {
-    /// The derivatives that are asked for of this solution of a scene on ground that gives.
+    /// The requested derivatives of this solution of a scene on an elastic foundation.
     pub(in crate::theory) fn derivatives_on_springs(
         &self,
         springs: &Springs,
@@ -46,7 +47,7 @@ impl Exact {
         asked.into_iter().filter(|_| self.solved).filter_map(by).collect()
     }
 
-    /// True if a support that only pushes neither presses nor is clear of the beam.
+    /// Whether some compression-only support neither presses nor has a clearance.
     fn has_ties(&self, scene: &Scene) -> bool {
         let largest = self.state.supports.iter().fold(self.state.contact_force(), |most, s| most.max(s.force.abs()));
         let deepest = self.state.deflection.magnitude();
@@ -60,12 +61,12 @@ impl Exact {
         scene.beam().bearings().iter().any(is_tie)
     }
 
-    /// [`None`] where a number leaves the range of `f64`.
+    /// The derivative with respect to one number; [`None`] if a number leaves the range of `f64`.
     fn on_springs_by(&self, springs: &Springs, asked: Asked, one_sided: bool) -> Option<Derivative> {
         let Self { given, scale, .. } = self;
         let Asked { by, change: [of, _], unit, .. } = asked;
         let k = springs.stiffness;
-        // The penetration is a load as a stiffness changes.
+        // When a stiffness changes, the penetration acts as a load.
         let sunk = match of {
             Change::Stiffen => Some((&springs.parts[..], -k)),
             Change::Unload => Some((&springs.parts[..], k)),
@@ -141,7 +142,7 @@ impl Exact {
         changed
     }
 
-    /// How an end of a stretch moves: not at all at an end of the beam or at a step of the ground.
+    /// The movement of an end of a stretch: zero at an end of the beam, at a step, and at an end of the foundation.
     fn moved_end(&self, springs: &Springs, parts: &[Part], x: f64, is_right: bool) -> f64 {
         let ends = |i: usize| self.given.cells_beside(i).iter().any(|&cell| self.given.cells[cell].ground <= 0.0);
         let stands =
@@ -155,7 +156,7 @@ impl Exact {
         change.zip(own).map_or(f64::NAN, |(change, own)| -change.sunk(x)[0] / own.sunk(x)[1])
     }
 
-    /// The derivative of `J / EI`, of `J` by the logarithms of both stiffnesses.
+    /// The derivative of `J / EI`; for both stiffnesses the derivative of `J` with respect to their logarithms.
     fn energy_on_springs_by(&self, springs: &Springs, of: Change) -> f64 {
         let (given, rule) = (&self.given, rule(&self.given));
         let sum = |of: &dyn Fn(&Part, f64) -> f64| -> f64 {
@@ -173,7 +174,7 @@ impl Exact {
             Change::Force(x, more) => -more * at(x)[0],
             Change::Move(x, force) => -force * at(x)[1],
             Change::Level(i) => given.support_at(i).map_or(0.0, |_| -force(given, &springs.parts, i)),
-            // Neither is asked for.
+            // These derivatives are never requested here.
             Change::GroundUnder(..) | Change::Support(..) => 0.0,
         }
     }

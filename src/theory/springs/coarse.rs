@@ -1,13 +1,13 @@
-//! A bed of fewer readings to start from: the shallowest of each few, on which the beam rests first.
+//! A starting point from a coarse bed with fewer readings: the shallowest of each group, on which the beam rests first.
 
 use super::bearings::search_with;
 use crate::scene::{Foundation, Scene};
 use crate::theory::piecewise::PiecewiseScene;
 
-/// Of so many readings one is left. *Tuned* on surveys of 10³ to 10⁵ readings.
+/// Number of readings in a group, of which one is kept. *Tuned* on surveys of 10³ to 10⁵ readings.
 const TOGETHER: usize = 16;
 
-/// Of fewer readings all are there from the beginning.
+/// Number of readings below which all are used from the beginning.
 const FEWEST: usize = 512;
 
 /// The stretches that springs of a stiffness over `EI` press on a coarse bed of a dimensionless scene; [`None`] if it has few readings.
@@ -23,7 +23,7 @@ pub(super) fn stretches(scene: &Scene, springs: f64) -> Option<Vec<[f64; 2]>> {
     found.settled.then_some(found.stretches)
 }
 
-/// The first and the last reading, those at steps, and of each few in between the shallowest.
+/// The first and the last reading, readings at steps, and the shallowest reading of each group.
 fn shallowest(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let is_step = |i: usize| {
         let at = |j: usize| points.get(j).is_some_and(|point| point[0] <= points[i][0]);

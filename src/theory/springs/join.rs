@@ -1,13 +1,13 @@
-//! From the stretches that press to links: spans where nothing presses, and in each cell of the scene where the ground presses as many links
-//! as a Taylor polynomial reaches, but for one deep in a zone.
+//! Division of the beam into links, from the pressed stretches: spans where nothing presses, and in each pressed cell of the scene as
+//! many links as a Taylor polynomial needs, with one long link deep in a zone.
 
 use super::links::{Beam, Kind, Link};
 
-/// Decay lengths `1/λ` from an end of a zone to where its effect is below rounding: `e⁻⁴⁴ < 10⁻¹⁹`.
+/// Distance in decay lengths `1/λ` from an end of a zone to where its effect is below rounding: `e⁻⁴⁴ < 10⁻¹⁹`.
 const REACH: f64 = 44.0;
 
 impl Beam<'_> {
-    /// Its links, from left to right.
+    /// Makes the links, from left to right.
     pub(super) fn join(&mut self, stretches: &[[f64; 2]]) {
         let mut at = 0.0;
         for &[from, to] in stretches {
@@ -22,8 +22,8 @@ impl Beam<'_> {
         self.hang([at, self.given.length]);
     }
 
-    /// A part of the beam where nothing presses: a span between two supports, springs among them, or changes of the beam each. What hangs by
-    /// statics beyond the last support is one.
+    /// Adds a part of the beam without pressure: one span between each two supports, springs or changes of the beam. An overhang beyond
+    /// the last support, which follows from statics, is one span.
     fn hang(&mut self, [from, to]: [f64; 2]) {
         let (given, mut at) = (self.given, from);
         let x = |breakpoint: usize| given.breakpoints[breakpoint].x;
@@ -38,7 +38,7 @@ impl Beam<'_> {
         if let [_, ..] = given.divisions_between(from, to) {
             let holds = |i: usize| given.support_at(i).is_some() || given.spring_at(i).is_some();
             let is_held = |end: f64| given.breakpoint_at(end).is_some_and(holds);
-            // Under an axial force what hangs over is no statics.
+            // With an axial force an overhang does not follow from statics.
             let is_slack = given.tension == 0.0;
             let left =
                 if is_slack && from <= 0.0 && !is_held(0.0) { supports.first().copied().unwrap_or(to) } else { from };
@@ -60,7 +60,7 @@ impl Beam<'_> {
         }
     }
 
-    /// A part of a cell where the ground presses.
+    /// Adds a part of a cell where the foundation presses.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 111 parts")]
     fn press(&mut self, [lo, hi]: [f64; 2], cell: usize) {
         let (_, decay) = self.rates(cell);

@@ -1,15 +1,15 @@
-//! A beam on springs that press on given stretches: a linear problem, by links that are joined by two numbers at each node.
+//! A beam on springs that press on given stretches: a linear problem, divided into links that are joined by two numbers at each node.
 //!
-//! Over `EI₀`, with `e = EI/EI₀`, the clearance `h = g − v`, the moment `M = −e v''`, the shear force `V = M'` and `K = k/EI = 4λ⁴`, each of
-//! which is one number on a link:
+//! Over `EI₀`, with `e = EI/EI₀`, the clearance `h = g − v`, the moment `M = −e v''`, the shear force `V = M'` and `K = k/EI = 4λ⁴`;
+//! `e` and `K` are constant on a link:
 //!
 //! ```text
-//! span              e v'''' = q                 between supports, zones and changes of the beam, in closed form as on rigid ground
+//! span              e v'''' = q                 between supports, zones and changes of the beam, in closed form as on a rigid foundation
 //! pressed link      h'''' + K h = g'''' − q/e   a Taylor polynomial, over a length of at most 1/λ
 //! deep in a zone    h = −Σ (−1)^m F^{(4m)}/K^{m+1},  F = q/e − g'''': nothing that grows or decays is left 44/λ away from its ends
 //! ```
 //!
-//! What `h` and `M` are at both ends of a link says what `h'` and `V` are there:
+//! `h` and `M` at both ends of a link determine `h'` and `V` there:
 //!
 //! ```text
 //! h'_a = −(c + η) h_a + c h_b − w M_a − ω M_b + …      V_a = a h_a + σ h_b − (c + η) M_a + c M_b + …      mirrored at b
@@ -19,22 +19,23 @@
 //! deep in a zone    0      λ    1/2λe   0       2λ³e   0
 //! ```
 //!
-//! In a joint of the flexibility `w_j` the slope `h'` grows by `w_j M`; in a hinge `M = 0`. Under an axial force more is in `pulled`.
+//! In a joint of the flexibility `w_j` the slope `h'` grows by `w_j M`; in a hinge `M = 0`. For an axial force see `pulled`.
 
 use super::pulled::following_under_tension;
 use crate::theory::piece::derivatives;
 use crate::theory::piecewise::{AtSpring, AtSupport, Cell, PiecewiseScene};
 use crate::theory::span::{End, EndCondition, fixed_end_of_load};
 
-/// Coefficients of a pressed polynomial over so many decay lengths `1/λ` at most: the next ones are less than `4ʳ ℓ⁴ʳ/(4r)! < 10⁻²⁰` of it.
+/// Numbers of coefficients of a pressed polynomial, with the largest length in `1/λ` for each: the next coefficients are less than
+/// `4ʳ ℓ⁴ʳ/(4r)! < 10⁻²⁰` of it.
 const PRESSED_TERMS: [(f64, usize); 3] = [(1.0 / 64.0, 12), (0.25, 16), (f64::INFINITY, 28)];
 
-/// What a link is.
+/// The kind of a link.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
     Span,
     Pressed,
-    /// Pressed, and so far from the ends of its zone that it follows the load.
+    /// Pressed, and so far from the ends of its zone that the penetration follows the load.
     Deep,
 }
 
@@ -43,24 +44,24 @@ pub(super) enum Kind {
 pub(super) struct Link {
     pub(super) lo: f64,
     pub(super) hi: f64,
-    /// The first and the last cell of the scene in it: of a pressed link the same.
+    /// The first and the last cell of the scene in it; equal for a pressed link.
     pub(super) cells: [usize; 2],
     pub(super) kind: Kind,
-    /// Taylor coefficients about its left end of what drives it besides the load, where the ground presses.
+    /// Taylor coefficients about its left end of a drive in addition to the load, where the foundation presses.
     pub(super) drive: Vec<f64>,
-    /// From which depth and which slope `h` and `h'` count at its two ends: those of the ground where it presses and beside it, at a
-    /// support that a span ends at its level.
+    /// Depth and slope from which `h` and `h'` are measured at its two ends: of the foundation where it presses and next to it; at a
+    /// support at the end of a span the level of the support.
     pub(super) base: [[f64; 2]; 2],
-    /// See the module.
+    /// The coefficients `c, η, w, ω, a, σ` of the module documentation.
     pub(super) c: f64,
     pub(super) eta: f64,
     pub(super) w: f64,
     pub(super) off: f64,
     pub(super) a: f64,
     pub(super) sigma: f64,
-    /// `n`, of a string.
+    /// `n`, the stiffness as a string.
     pub(super) pull: f64,
-    /// `h'` and `V` at its two ends where `h` and `M` are zero.
+    /// `h'` and `V` at its two ends for `h = M = 0` there.
     pub(super) own: [[f64; 2]; 2],
 }
 
@@ -71,7 +72,7 @@ impl Link {
         Self { lo, hi, cells: [cell; 2], kind, drive: Vec::new(), base, c, eta, w, off, a, sigma, pull, own }
     }
 
-    /// An end of one that hangs, with `h` there and `v`.
+    /// An end of a link without pressure, with `h` and `v` there.
     pub(super) fn end(&self, side: usize, height: f64, level: f64) -> End {
         let hold = EndCondition::Hinge { height, level, curvature: 0.0 };
         End { x: [self.lo, self.hi][side], low: 0.0, cell: self.cells[side], hold }
@@ -97,7 +98,7 @@ impl Link {
 
 pub(super) struct Beam<'a> {
     pub(super) given: &'a PiecewiseScene,
-    /// `k/EI₀` where the ground is stiffest.
+    /// `k/EI₀` where the foundation is stiffest.
     pub(super) springs: f64,
     pub(super) links: Vec<Link>,
 }
@@ -119,7 +120,8 @@ impl Beam<'_> {
         }
     }
 
-    /// By what `V` and `M` jump at node `i`, but for what a support does; under an axial force `T` by the slope besides from which `h'` counts.
+    /// The jumps of `V` and `M` at node `i`, without support forces. With an axial force it is the jump of `T`, including the slope
+    /// from which `h'` is measured.
     pub(super) fn acts(&self, i: usize) -> [f64; 2] {
         let at = self.breakpoint(i).map(|breakpoint| self.given.breakpoints[breakpoint]);
         let [force, couple] = at.map_or([0.0; 2], |at| [-at.force, -at.couple]);
@@ -131,7 +133,7 @@ impl Beam<'_> {
         [force - self.given.tension * (slope(Some(i), 0) - slope(i.checked_sub(1), 1)), couple]
     }
 
-    /// The flexibility of a joint at node `i`, zero where there is none.
+    /// The flexibility of a joint at node `i`, zero if there is none.
     pub(super) fn joint(&self, i: usize) -> f64 {
         self.breakpoint(i).map_or(0.0, |breakpoint| self.given.breakpoints[breakpoint].joint)
     }
@@ -140,32 +142,32 @@ impl Beam<'_> {
         Some(&self.given.supports[self.given.support_at(self.breakpoint(i)?)?])
     }
 
-    /// The support that gives at node `i`, if it acts.
+    /// The active elastic support at node `i`.
     pub(super) fn spring(&self, i: usize) -> Option<&AtSpring> {
         self.given.spring_at(self.breakpoint(i)?)
     }
 
-    /// Whether a support stands at node `i` that exerts a force.
+    /// Whether a support at node `i` exerts a force.
     pub(super) fn is_supported(&self, i: usize) -> bool {
         self.support(i).is_some() || self.spring(i).is_some()
     }
 
-    /// The stiffness of a spring against turning at node `i`, and the slope without moment.
+    /// The stiffness of a rotational spring at node `i`, and the slope at which its moment is zero.
     pub(super) fn turning(&self, i: usize) -> Option<[f64; 2]> {
         self.given.turning_at(self.breakpoint(i)?)
     }
 
-    /// The slope in which the beam is built in at node `i`.
+    /// The prescribed slope of a built-in support at node `i`.
     pub(super) fn built_in(&self, i: usize) -> Option<f64> {
         self.support(i).filter(|support| support.built_in)?.slope
     }
 
-    /// Depth and slope of the ground at an end of a link, and two more derivatives.
+    /// Depth and slope of the foundation at an end of a link, and two more derivatives.
     pub(super) fn profile(&self, link: &Link, side: usize) -> [f64; 4] {
         self.given.derivatives(link.cells[side], [link.lo, link.hi][side])
     }
 
-    /// By what depth and slope of the ground grow at node `i` from one link to the next: nothing on a smooth piece of it.
+    /// The jumps of depth and slope of the foundation at node `i`: zero on a smooth piece.
     fn broken(&self, i: usize) -> [f64; 2] {
         let shape = |cell: usize| self.given.cells[cell].shape;
         match self.breakpoint(i) {
@@ -176,8 +178,8 @@ impl Beam<'_> {
         }
     }
 
-    /// The cell from whose ground `h` and `h'` count at an end of link `i`; none at a support that a span ends at. Where two spans meet it is
-    /// that of the left one.
+    /// The cell whose foundation is the base of `h` and `h'` at an end of link `i`; none at a support at the end of a span. Between two
+    /// spans it is the cell of the left one.
     fn base_cell(&self, i: usize, side: usize) -> Option<usize> {
         let link = &self.links[i];
         let beside = if side == 0 { i.checked_sub(1) } else { Some(i + 1) };
@@ -191,7 +193,7 @@ impl Beam<'_> {
         }
     }
 
-    /// From what `h` and `h'` count at an end of link `i`.
+    /// The base of `h` and `h'` at an end of link `i`.
     fn base(&self, i: usize, side: usize) -> [f64; 2] {
         let x = [self.links[i].lo, self.links[i].hi][side];
         match (self.base_cell(i, side), self.support(i + side)) {
@@ -206,7 +208,7 @@ impl Beam<'_> {
         [depth, slope]
     }
 
-    /// By what `h` and `h'` of the ground below an end of link `i` are more than those that count from its base.
+    /// The difference of `h` and `h'` measured from the foundation below an end of link `i` and measured from its base.
     pub(super) fn below(&self, i: usize, side: usize) -> [f64; 2] {
         let link = &self.links[i];
         if link.kind != Kind::Span {
@@ -223,7 +225,7 @@ impl Beam<'_> {
         self.broken(i + side).map(|jump| sign * jump)
     }
 
-    /// By what `h` and `h'` grow at node `i` from one link to the next.
+    /// The jumps of `h` and `h'` at node `i` from one link to the next.
     pub(super) fn jump(&self, i: usize) -> [f64; 2] {
         let (left, right) = (&self.links[i - 1], &self.links[i]);
         match [left, right].map(|link| link.kind == Kind::Span) {
@@ -233,7 +235,7 @@ impl Beam<'_> {
         }
     }
 
-    /// The six numbers of a link, and what its loads do.
+    /// Computes the coefficients of a link and the effect of its loads.
     pub(super) fn measure(&mut self, i: usize) {
         self.links[i].base = [self.base(i, 0), self.base(i, 1)];
         let link = &self.links[i];
@@ -247,8 +249,8 @@ impl Beam<'_> {
         self.links[i] = measured;
     }
 
-    /// By how much the profile from which `h` counts turns from its slope at the left end of a link to its chord, and from there to its
-    /// slope at the right end.
+    /// The rotation of the base profile from its slope at the left end of a link to its chord, and from the chord to its slope at the
+    /// right end.
     pub(super) fn turned(&self, i: usize) -> [f64; 2] {
         let (link, l) = (&self.links[i], self.links[i].hi - self.links[i].lo);
         let [left, right] =
@@ -272,7 +274,8 @@ impl Beam<'_> {
         Link { c: 1.0 / l, w: flex / 3.0, off: flex / 6.0, own, ..link.clone() }
     }
 
-    /// With `W_m = Σ (−K)^r ℓ^(4r+m)/(4r+m)!`, of which each is the derivative of the next one, a link without load has, `M` and `V` over `e`,
+    /// With `W_m = Σ (−K)^r ℓ^(4r+m)/(4r+m)!`, where each is the derivative of the next, a link without load satisfies, with `M` and
+    /// `V` over `e`,
     ///
     /// ```text
     /// h_b = W₀ h_a + W₁ h'_a + W₂ M_a + W₃ V_a          M_b = −K (W₂ h_a + W₃ h'_a) + W₀ M_a + W₁ V_a
@@ -280,7 +283,7 @@ impl Beam<'_> {
     fn pressed(&self, link: &Link) -> Link {
         let (l, (k, _)) = (link.hi - link.lo, self.rates(link.cells[0]));
         let e = self.given.cells[link.cells[0]].stiffness;
-        // W_m without its first term, and that.
+        // W_m without its first term, and the first term.
         let wave = |m: u32| {
             let first = (1..=m).fold(1.0, |product, n| product * l / f64::from(n));
             let (mut term, mut sum) = (first, 0.0);
@@ -294,7 +297,7 @@ impl Beam<'_> {
         let [w0, w1, w2, w3] = [1.0 + less, one[0] + one[1], two[0] + two[1], three[0] + three[1]];
         let inverse = 1.0 / (w1 * w1 + k * w3 * w3);
         let (w, off) = ((w1 * w2 - w0 * w3) * inverse, w3 * inverse);
-        // The beam that begins with the ground, without moment and shear.
+        // The beam that begins with depth and slope of the foundation, without moment and shear force.
         let [h, v] = self.taylor(link, [0.0; 4]);
         let ([h, h1, ..], [_, _, m, n]) = (derivatives(&h, l), derivatives(&v, l));
         let (turn, shear) = ((w3 * -m - w1 * h) * inverse, -(k * w3 * h + w1 * -m) * inverse);
@@ -305,7 +308,7 @@ impl Beam<'_> {
         Link { c: w1 * inverse, eta, w: w / e, off: off / e, a, sigma, own, ..link.clone() }
     }
 
-    /// Nothing grows into it from either end.
+    /// Effects of its ends do not reach the other end.
     fn deep(&self, link: &Link) -> Link {
         let (_, l) = self.rates(link.cells[0]);
         let e = self.given.cells[link.cells[0]].stiffness;

@@ -1,15 +1,16 @@
-//! Ground that gives: unilateral springs, `p = k (v − g)` where the beam is pressed into the ground and nothing elsewhere.
+//! Elastic foundation: unilateral springs, `p = k (v − g)` where the beam is pressed into the foundation and zero elsewhere.
 //!
-//! There is no list of contacts. `J` is convex with a continuous derivative, and its minimum is found by Newton's method in the space
-//! of deflections, each step of which is a linear problem (`links`, `chain`):
+//! There is no contact list. `J` is convex with a continuous derivative. Newton's method in the space of deflections finds its minimum;
+//! each step is a linear problem (`links`, `chain`):
 //!
 //! ```text
 //! S ← whole beam;    v ← the beam on springs that press on S,  S ← { v > g },    until S stays
 //! ```
 //!
-//! from stretches that are known to be near (`search`), of a scene beside this one or of fewer readings (`coarse`), or else first for soft
-//! ground, then for stiffer and stiffer ground up to the given. Which supports that only push press is found around that (`bearings`).
-//! `answer` is what is read off the polynomials, and `change` how that changes with the numbers of the scene.
+//! The search (`search`) starts from stretches that are known to be near, of a neighbouring scene or of fewer readings (`coarse`).
+//! Otherwise it starts with a soft foundation and raises the stiffness step by step to the given one. An outer loop finds the pressed
+//! compression-only supports (`bearings`). `answer` evaluates the polynomials, and `change` their derivatives with respect to the
+//! numbers of the scene.
 
 mod answer;
 mod bearings;
@@ -33,7 +34,7 @@ pub(in crate::theory) struct Part {
     pub(in crate::theory) piece: Piece,
     /// Whether the springs press on it.
     pub(in crate::theory) pressed: bool,
-    /// How stiff they are over the stiffest; zero where there are none.
+    /// Stiffness of the springs over the greatest stiffness; zero where there are none.
     pub(in crate::theory) ground: f64,
     /// `e`.
     pub(in crate::theory) stiffness: f64,
@@ -49,42 +50,42 @@ impl Part {
         Self { piece, pressed, ground, stiffness, deflection, penetration }
     }
 
-    /// `v, v', e v'', e v'''` at a place of it.
+    /// `v, v', e v'', e v'''` at a position in it.
     pub(in crate::theory) fn beam(&self, x: f64) -> [f64; 4] {
         let [v, v1, v2, v3] = derivatives(&self.deflection, x - self.piece.anchor);
         [v, v1, v2 * self.stiffness, v3 * self.stiffness]
     }
 
-    /// `w, w', w'', w'''` at a place of it.
+    /// `w, w', w'', w'''` at a position in it.
     pub(in crate::theory) fn sunk(&self, x: f64) -> [f64; 4] {
         derivatives(&self.penetration, x - self.piece.anchor)
     }
 }
 
-/// The part at `x`, of two the left or the right one.
+/// The part at `x`, at a boundary the left or the right one.
 fn part_at(parts: &[Part], x: f64, right: bool) -> &Part {
     let i = parts.partition_point(|part| if right { part.piece.hi <= x } else { part.piece.hi < x });
     &parts[i.min(parts.len() - 1)]
 }
 
-/// `v, v', e v'', e v'''` before a place between two parts and behind it, zero where there is no beam.
+/// `v, v', e v'', e v'''` just left and just right of a boundary between two parts, zero where there is no beam.
 fn beside(parts: &[Part], x: f64) -> [[f64; 4]; 2] {
     let i = parts.partition_point(|part| part.piece.lo < x);
     [i.checked_sub(1), Some(i)].map(|i| i.and_then(|i| parts.get(i)).map_or([0.0; 4], |part| part.beam(x)))
 }
 
-/// The stretches that press, and the beam on them.
+/// The pressed stretches, and the beam on them.
 #[derive(Debug)]
 struct StretchSet {
     parts: Vec<Part>,
     /// From left to right.
     stretches: Vec<[f64; 2]>,
     solves: usize,
-    /// Whether the set stays.
+    /// Whether the set no longer changes.
     settled: bool,
 }
 
-/// A penetration below this share of the largest one has no sign of its own: what is so near stays on the side on which it is.
+/// A penetration below this share of the largest one has no reliable sign: it does not move a position to the other side.
 const ROUNDING: f64 = 1e-13;
 
 /// The largest penetration of a beam.

@@ -1,6 +1,6 @@
-//! Links under an axial force `N`, with `ν = N/e`. In the place of `V` there is `T = M' − N h'`, the vertical force less `N` times the slope from
-//! which `h'` counts. A link lies in one cell of the scene, and has the stiffness `n` of a string besides: `T` is larger by `n (h_a − h_b)` at
-//! both ends.
+//! Links under an axial force `N`, with `ν = N/e`. `V` is replaced by `T = M' − N h'`, the vertical force less `N` times the slope from
+//! which `h'` is measured. A link is in one cell of the scene. It has the stiffness `n` of a string in addition: `T` is larger by
+//! `n (h_a − h_b)` at both ends.
 //!
 //! ```text
 //!                   c       η                         w                        ω        a                            σ   n
@@ -9,7 +9,7 @@
 //! deep in a zone    0       √K/s                      1/e s                    0        e √K (√K + ν)/s              0   0
 //! ```
 //!
-//! with `G'''' = ν G'' − K G`, all of `G` zero at the beginning but `G₃ = 1`, `G_j` its derivatives at the end, `f₀ = G₃ − ν G₁`,
+//! with `G'''' = ν G'' − K G`, all of `G` zero at the beginning except `G₃ = 1`, `G_j` its derivatives at the end, `f₀ = G₃ − ν G₁`,
 //! `f₁ = G₂ − ν G`, `r = ν G₂ − K G`, `Δ = G₂ f₁ + K G²` and `s² = 2 √K + ν`. Deep in a zone `h = F/K + (ν h'' − h'''')/K`.
 
 use super::answer::second;
@@ -18,11 +18,11 @@ use crate::theory::piece::derivatives;
 use crate::theory::span::Drive;
 use crate::theory::tension::Tense;
 
-/// Terms of each series: of a link that is at most `1/λ` and `0.8/μ` long the next ones are less than `10⁻²⁰`.
+/// Number of terms of each series: for a link of at most `1/λ` and `0.8/μ` the next terms are less than `10⁻²⁰`.
 const TERMS: usize = 28;
 
 impl Beam<'_> {
-    /// A part of the beam on which nothing presses.
+    /// A part of the beam without pressure.
     pub(super) fn span_under_tension(&self, i: usize) -> Link {
         let link = &self.links[i];
         let ends = [0, 1].map(|side| link.end(side, 0.0, 0.0));
@@ -33,7 +33,7 @@ impl Beam<'_> {
         Link { c, w, off, pull, own, ..link.clone() }
     }
 
-    /// A part of the beam on which the ground presses.
+    /// A part of the beam under pressure of the foundation.
     pub(super) fn pressed_under_tension(&self, link: &Link) -> Link {
         let (l, (k, _)) = (link.hi - link.lo, self.rates(link.cells[0]));
         let e = self.given.cells[link.cells[0]].stiffness;
@@ -43,7 +43,7 @@ impl Beam<'_> {
         less[0] = 0.0;
         let [[less, ..], [f1, ..]] = [less, series(k, pull, [0.0, 1.0, 0.0, 0.0])].map(|of| derivatives(&of, l));
         let (inverse, rises) = (1.0 / (g2 * f1 + k * g * g), pull * g2 - k * g);
-        // The beam that begins with the ground, without moment and vertical force.
+        // The beam that begins with depth and slope of the foundation, without moment and vertical force.
         let [h, v] = self.taylor(link, [0.0; 4]);
         let ([h, h1, ..], [_, _, m, n]) = (derivatives(&h, l), derivatives(&v, l));
         let (turn, shear) = (-(g2 * h + g * m) * inverse, (g2 * m + rises * h) * inverse);
@@ -66,12 +66,12 @@ impl Beam<'_> {
         (root / s, 1.0 / s / e, e * (root * (root + pull) / s))
     }
 
-    /// From `h, h', M, V` to `h, h', M, T`.
+    /// Converts `h, h', M, V` to `h, h', M, T`.
     pub(super) fn vertical(&self, [h, h1, m, v]: [f64; 4]) -> [f64; 4] {
         if self.given.tension == 0.0 { [h, h1, m, v] } else { [h, h1, m, v - self.given.tension * h1] }
     }
 
-    /// From `h, h', M, T` to `h, h', M, V`.
+    /// Converts `h, h', M, T` to `h, h', M, V`.
     pub(super) fn sheared(&self, [h, h1, m, t]: [f64; 4]) -> [f64; 4] {
         if self.given.tension == 0.0 { [h, h1, m, t] } else { [h, h1, m, t + self.given.tension * h1] }
     }

@@ -1,4 +1,4 @@
-//! The search for the stretches that press: Newton's method, from stretches that are nearly right or from softer ground on.
+//! The search for the pressed stretches by Newton's method, from stretches that are nearly right or from a softer foundation.
 
 use super::chain::solve;
 use super::solved::Solved;
@@ -6,8 +6,8 @@ use super::{ROUNDING, StretchSet};
 use crate::theory::bernstein::sign_changes;
 use crate::theory::piecewise::PiecewiseScene;
 
-/// How the search goes from one stiffness to the next. The next way is tried where one does not settle. *Tuned* on the random scenes of the
-/// tests and on surveys of up to 10⁵ readings.
+/// Strategies for raising the stiffness. The next one is tried if one does not settle. *Tuned* on the random scenes of the tests and on
+/// surveys of up to 10⁵ readings.
 const WAYS: [Way; 3] = [
     Way { at_first: 4096.0, factor: 16.0, roughly: true, most: 24 },
     Way { at_first: 16.0, factor: 16.0, roughly: false, most: 60 },
@@ -17,24 +17,25 @@ const WAYS: [Way; 3] = [
 /// See [`WAYS`].
 #[derive(Debug, Clone, Copy)]
 struct Way {
-    /// The factor of stiffness as long as all of the beam presses.
+    /// Factor of the stiffness as long as the whole beam is pressed.
     at_first: f64,
-    /// The factor from there on.
+    /// Factor of the stiffness after that.
     factor: f64,
-    /// Whether a set of softer ground is only a start: it is enough that it hardly changes, whatever the number of its stretches.
+    /// Whether a set on a softer foundation is only a start: then it only needs to be nearly unchanged, whatever the number of its
+    /// stretches.
     roughly: bool,
-    /// Solves for one set, at most; a handful are the rule.
+    /// Maximum number of solves for one set; a few are usual.
     most: usize,
 }
 
-/// Links that all solves of a search go through together, at most: some seconds on a slow machine.
+/// Maximum number of links in all solves of a search together: some seconds on a slow machine.
 const MOST_LINKS: usize = 500_000;
 
-/// Or as many for each cell of the scene. Ground so stiff that the places where it begins to press have no digits left would go on through
-/// all stiffnesses.
+/// The same per cell of the scene, if that is more. On a foundation so stiff that the positions where pressure begins have no correct
+/// digits, the search would otherwise continue through all stiffnesses.
 const MOST_LINKS_OF_A_CELL: usize = 200;
 
-/// What has been done.
+/// The work done so far.
 #[derive(Debug, Default)]
 pub(super) struct Work {
     solves: usize,
@@ -42,12 +43,12 @@ pub(super) struct Work {
 }
 
 impl Work {
-    /// Whether none is left.
+    /// Whether the work limit is reached.
     pub(super) fn is_done(&self, given: &PiecewiseScene) -> bool {
         MOST_LINKS.max(MOST_LINKS_OF_A_CELL * given.cells.len()) < self.links
     }
 
-    /// One more solve; [`None`] where there is none, or no work is left.
+    /// Solves once more; [`None`] if there is no solution or the work limit is reached.
     fn solve<'a>(&mut self, given: &'a PiecewiseScene, springs: f64, stretches: &[[f64; 2]]) -> Option<Solved<'a>> {
         if self.is_done(given) {
             return None;
@@ -59,8 +60,8 @@ impl Work {
     }
 }
 
-/// The stretches on which springs of a stiffness over `EI` press, and the beam on them; `near` are some that are nearly right, in turn. Where
-/// the set does not settle, the whole beam is pressed; [`None`] if numbers leave the range of `f64`.
+/// The stretches on which springs of a stiffness over `EI` press, and the beam on them. The search starts from each set in `near`, in
+/// turn. If no set settles, the whole beam is pressed; [`None`] if numbers leave the range of `f64`.
 pub(super) fn search(
     given: &PiecewiseScene,
     springs: f64,
@@ -88,7 +89,7 @@ pub(super) fn search(
     Some(StretchSet { parts, stretches, solves: work.solves, settled: false })
 }
 
-/// The stretches of the beam with ground below them.
+/// The stretches of the beam with a foundation below them.
 fn grounded(given: &PiecewiseScene) -> Vec<[f64; 2]> {
     let mut stretches: Vec<[f64; 2]> = Vec::new();
     for cell in given.cells.iter().filter(|cell| 0.0 < cell.ground) {
@@ -100,7 +101,7 @@ fn grounded(given: &PiecewiseScene) -> Vec<[f64; 2]> {
     stretches
 }
 
-/// What is found where a set settles. What was done in vain leaves the other ways all of the work.
+/// The set that `find` returns if it settles. If not, its work does not count.
 fn in_vain(work: &mut Work, find: impl FnOnce(&mut Work) -> Option<StretchSet>) -> Option<StretchSet> {
     let links = work.links;
     let found = find(work).filter(|found| found.settled);
@@ -110,9 +111,10 @@ fn in_vain(work: &mut Work, find: impl FnOnce(&mut Work) -> Option<StretchSet>) 
     found
 }
 
-/// From stretches that are nearly right Newton's method doubles the digits from one solve to the next.
+/// Newton's method from stretches that are nearly right: the correct digits double with each solve.
 fn beginning_near(given: &PiecewiseScene, springs: f64, near: &[[f64; 2]], work: &mut Work) -> Option<StretchSet> {
-    /// Solves at most. *Tuned* on surveys, which need 7 to 12 from a coarse bed, and on wheels along a rail, which need 6 from the row before.
+    /// Maximum number of solves. *Tuned* on surveys, which need 7 to 12 from a coarse bed, and on wheels along a rail, which need 6
+    /// from the previous row.
     const MOST: usize = 16;
     let mut stretches = near.to_vec();
     let settled = settle(given, springs, &mut stretches, (MOST, Enough::Exactly), work)?;
@@ -145,18 +147,18 @@ fn stiffening(given: &PiecewiseScene, springs: f64, way: &Way, work: &mut Work) 
     }
 }
 
-/// When a set of stretches is enough.
+/// The criterion by which a set of stretches is good enough.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Enough {
-    /// On softer ground, which is only a start: it hardly changes, whatever the number of its stretches.
+    /// On a softer foundation that is only a start: the set is nearly unchanged, whatever the number of its stretches.
     Roughly,
-    /// On softer ground: its ends hardly move.
+    /// On a softer foundation: its ends hardly move.
     Nearly,
-    /// On the given ground: it has all its digits, or as many as there are.
+    /// On the given foundation: it has all its digits, or as many as rounding allows.
     Exactly,
 }
 
-/// Newton's method on ground of one stiffness: whether the set is enough after so many solves at most.
+/// Newton's method on a foundation of one stiffness; returns whether the set is good enough within `most` solves.
 fn settle(
     given: &PiecewiseScene,
     springs: f64,
@@ -164,13 +166,13 @@ fn settle(
     (most, enough): (usize, Enough),
     work: &mut Work,
 ) -> Option<bool> {
-    /// Of the length: what ends move by at most where they hardly move.
+    /// Largest movement of ends that hardly move, as a share of the length.
     const NEARLY: f64 = 1e-6;
-    /// Of what presses: by how much a set hardly changes.
+    /// Largest change of a set that is nearly unchanged, as a share of the pressed length.
     const ROUGHLY: f64 = 1e-2;
-    /// All digits of a place.
+    /// Accuracy of a position with all its digits, as a share of the length.
     const DIGITS: f64 = 4.0 * f64::EPSILON;
-    /// Or as many as there are: below this a set that comes no nearer is rounding.
+    /// Distance below which a set that comes no closer is at the level of rounding.
     const FEW: f64 = 1e-12;
     let mut before = f64::INFINITY;
     for _ in 0..most {
@@ -189,7 +191,7 @@ fn settle(
     Some(false)
 }
 
-/// How far the ends of two sets are apart at most.
+/// The largest distance between the ends of two sets.
 fn distance(a: &[[f64; 2]], b: &[[f64; 2]]) -> f64 {
     if a.len() != b.len() {
         return f64::INFINITY;
@@ -197,7 +199,7 @@ fn distance(a: &[[f64; 2]], b: &[[f64; 2]]) -> f64 {
     a.iter().flatten().zip(b.iter().flatten()).fold(0.0, |most, (a, b)| (a - b).abs().max(most))
 }
 
-/// How much of the beam is in one of two sets and not in the other.
+/// The length of the beam that belongs to only one of two sets.
 fn difference(a: &[[f64; 2]], b: &[[f64; 2]]) -> f64 {
     let (mut both, mut rest) = (0.0, b);
     for [from, to] in a {
@@ -213,13 +215,14 @@ fn total(set: &[[f64; 2]]) -> f64 {
     set.iter().map(|[from, to]| to - from).sum()
 }
 
-/// The stretches on which a beam is below the surface of the ground, from left to right; [`None`] if numbers leave the range of `f64`.
+/// The stretches on which a beam is below the surface of the foundation, from left to right; [`None`] if numbers leave the range of
+/// `f64`.
 fn pressed(given: &PiecewiseScene, solved: &Solved<'_>) -> Option<Vec<[f64; 2]>> {
-    /// Places that are one, as a share of the length: two units in the last place.
+    /// Distance up to which two positions count as one, as a share of the length: two units in the last place.
     const SAME: f64 = 4e-16;
-    /// Stretches that are none: a few of these.
+    /// Length up to which a stretch is dropped: a few such units.
     const NOTHING: f64 = 1e-15;
-    /// An end that is so near to a break is there: between them a penetration is rounding.
+    /// Distance from a break within which an end is moved onto the break: a penetration between them is rounding.
     const BESIDE: f64 = 1e-12;
     let rounding = ROUNDING * solved.deepest();
     let mut stretches: Vec<[f64; 2]> = Vec::new();
@@ -246,7 +249,7 @@ fn pressed(given: &PiecewiseScene, solved: &Solved<'_>) -> Option<Vec<[f64; 2]>>
             }
         }
     })?;
-    // An end beside a break is there.
+    // Moves ends very close to a break onto it.
     for end in stretches.iter_mut().flatten() {
         let next = given.breakpoints.partition_point(|breakpoint| breakpoint.x < *end);
         let beside =

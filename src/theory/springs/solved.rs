@@ -1,4 +1,4 @@
-//! A beam on springs that is solved: its parts, and where it is near the ground.
+//! The solution of a beam on springs: its parts, and where it is close to the foundation.
 
 use super::Part;
 use super::links::{Beam, Kind};
@@ -10,26 +10,26 @@ use crate::theory::span::Span;
 /// `h, h', M, V` at the two ends of a link.
 pub(super) type Ends = [[f64; 4]; 2];
 
-/// A beam on springs, by the numbers at the ends of its links.
+/// The solution of a beam on springs, as numbers at the ends of its links.
 pub(super) struct Solved<'a> {
     pub(super) beam: Beam<'a>,
-    /// The first link between places that hold the beam, and those of all links from there on; what is beyond hangs by statics.
+    /// The first link of the chain, and the end values of all links from there on; overhangs beyond the chain follow from statics.
     pub(super) held: usize,
     pub(super) ends: Vec<Ends>,
     pub(super) overhangs: [Vec<Span>; 2],
 }
 
-/// What a link does.
+/// The shape of a link.
 #[expect(clippy::large_enum_variant, reason = "there is one at a time")]
 enum Course {
-    /// By the spans between changes of the beam.
+    /// Without pressure: the spans between changes of the beam.
     Hangs(Parts),
-    /// Taylor coefficients of `h` and `v` about its left end.
+    /// Under pressure: Taylor coefficients of `h` and `v` about its left end.
     Pressed([Vec<f64>; 2]),
 }
 
 impl Solved<'_> {
-    /// How many links it has.
+    /// The number of links.
     pub(super) fn size(&self) -> usize {
         self.beam.links.len()
     }
@@ -63,7 +63,7 @@ impl Solved<'_> {
         parts.iter().all(|part| (part.deflection[0] + part.deflection[3]).is_finite()).then_some(parts)
     }
 
-    /// The parts of the beam where nothing presses.
+    /// Adds the parts of a span without pressure.
     fn hanging(&self, span: &Span, parts: &mut Vec<Part>) {
         let given = self.beam.given;
         let mut pieces = Vec::new();
@@ -80,17 +80,17 @@ impl Solved<'_> {
         }));
     }
 
-    /// The largest penetration at an end of a link on which the ground presses.
+    /// The largest penetration at an end of a pressed link.
     pub(super) fn deepest(&self) -> f64 {
         let links = self.beam.links.iter().skip(self.held).zip(&self.ends);
         let pressed = links.filter(|(link, _)| link.kind != Kind::Span).flat_map(|(_, ends)| ends);
         pressed.fold(0.0, |most, [h, ..]| h.abs().max(most))
     }
 
-    /// Each part on which the ground presses, and of those that hang each one that is not clear of the ground by more than rounding, from
-    /// left to right: its piece, whether it presses, and the Taylor coefficients of `h` about its anchor. [`None`] as for `parts`.
+    /// Visits, from left to right, each pressed part, and each other part that is not clear of the foundation by more than rounding.
+    /// `see` gets the piece, whether it is pressed, and the Taylor coefficients of `h` about its anchor. [`None`] as for `parts`.
     pub(super) fn near_ground(&self, mut see: impl FnMut(&Piece, bool, &mut [f64])) -> Option<()> {
-        /// Of the depth of the beam: a deflection is a sum of a handful of terms.
+        /// As a share of the deflection, which is a sum of a few terms.
         const ROUNDING: f64 = 64.0 * f64::EPSILON;
         let given = self.beam.given;
         let (mut taylor, mut pieces) = (vec![0.0; given.terms], Vec::new());
