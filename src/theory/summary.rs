@@ -205,7 +205,7 @@ pub(super) fn clearance_extremes(given: &PiecewiseScene, pieces: &[Piece]) -> Ex
     Extremes::of(values.iter().copied())
 }
 
-/// Extremes of `−v''` over some pieces of the beam, from left to right.
+/// Extremes of the moment `−e v''` over some pieces of the beam, from left to right.
 pub(super) fn bend_extremes(given: &PiecewiseScene, pieces: &[Piece]) -> Extremes {
     let mut taylor = vec![0.0; given.terms];
     let mut values = Vec::new();
@@ -213,7 +213,7 @@ pub(super) fn bend_extremes(given: &PiecewiseScene, pieces: &[Piece]) -> Extreme
         piece.deflection(given, &mut taylor);
         piece.outwards(&mut taylor);
         let bend = differentiated(differentiated(&mut taylor));
-        bend.iter_mut().for_each(|c| *c = 0.0 - *c);
+        bend.iter_mut().for_each(|c| *c = 0.0 - *c * piece.stiffness(given));
         add_extremes(piece, bend, [f64::INFINITY, f64::NEG_INFINITY], &mut values);
     }
     Extremes::of(values.iter().copied())

@@ -1,11 +1,12 @@
 //! What presses, and where a beam only lies: neither depends on the list of contacts that was found.
 
 use palkki::route::Status;
+use palkki::scene::file::{ReadProblem, parse};
 use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, Support};
 use palkki::solve_exactly;
 use palkki::state::ContactState;
 use palkki::sweep::Sweep;
-use palkki_evidence::random::{Random, sample_of};
+use palkki_evidence::random::{self, Feature, Random, sample_of};
 
 use crate::scenes;
 
@@ -181,4 +182,30 @@ fn the_position_of_a_free_span_is_that_of_its_largest_clearance() {
         }
     }
     assert!(4 <= count, "{count} spans of beams with an own shape");
+}
+
+/// The moments of the free spans together have the extremes of the whole beam, or zones have them: in scenes without zones they are equal,
+/// whatever changes along the beam.
+#[test]
+fn the_moments_of_all_free_spans_are_those_of_the_beam() {
+    const SCENES: u64 = 60;
+    let mut compared = 0;
+    for (i, on_soil) in (0..SCENES).flat_map(|i| [(i, false), (i, true)]) {
+        let text = random::general(i, &Feature::ALL, on_soil).text;
+        let Ok(scene) = parse("scene.toml", &text, |_| Err(ReadProblem::Missing)) else { continue };
+        let Ok(exact) = palkki::theory::solve(&scene) else { continue };
+        if !exact.solved || exact.state.contacts.iter().any(|contact| contact.from < contact.to) {
+            continue;
+        }
+        let moments: Vec<_> = exact.free_spans(scene.beam()).iter().map(|span| span.moment).collect();
+        let [max, min] = [
+            moments.iter().map(|moment| moment.max).fold(f64::NEG_INFINITY, f64::max),
+            moments.iter().map(|moment| moment.min).fold(f64::INFINITY, f64::min),
+        ];
+        let whole = &exact.state.moment;
+        let off = (max - whole.max).abs().max((min - whole.min).abs());
+        assert!(off <= 1e-9 * whole.max.max(-whole.min), "{i}, {on_soil}: {max} and {min}, not {whole:?}");
+        compared += 1;
+    }
+    assert!(SCENES / 2 <= compared, "{compared} scenes without zones");
 }
