@@ -8,6 +8,7 @@
 //! | none | `W > 0` and `a ≤ x_W ≤ b`: the moments `∫q (x − a)` and `∫q (b − x)` are not negative |
 //! | one simple, at `x_s` | `∫q (x − x_s) > 0` and something pushes to the right of it, `< 0` and to the left, or `= 0` |
 //!
+//! With hinges the loads must not move any part for ever either, up or into a gap (`hinged`).
 //! Under tension `∫ N v'²/2` holds the beam against turning: any support holds it, and without one `W > 0` is enough.
 //!
 //! Here is the resultant `W = ∫q` of the loads and its place `x_W = ∫q x / W` (Fichera 1964: a semi-coercive variational
@@ -15,6 +16,7 @@
 //! sums themselves are taken in twice the precision. Where zero lies in the interval, the loads are balanced within rounding,
 //! and to which side the beam would turn is left open.
 
+mod hinged;
 mod sum;
 
 use std::cmp::Ordering;
@@ -104,6 +106,41 @@ pub enum Unheld {
     /// Hinges, and nothing below that could stop the beam.
     #[error("the beam is a mechanism: its hinges let it move without bending, and there is no foundation to stop it")]
     Mechanism,
+    /// The part beyond a hinge turns about it.
+    #[error(
+        "the loads turn the part of the beam to the {} of its hinge at x = {} {} about it, with a moment of {}: nothing {}",
+        if *right { "right" } else { "left" },
+        shown(*hinge),
+        if *up { "up" } else { "down" },
+        rounded(*moment),
+        if *up { "holds it down" } else { "is below it" }
+    )]
+    Turned {
+        /// The hinge \[length\].
+        hinge: f64,
+        /// The moment of the loads about it \[force · length\].
+        moment: f64,
+        /// On which side of the hinge.
+        right: bool,
+        /// Or down, where there is no ground.
+        up: bool,
+    },
+    /// A part between hinges, or several, move.
+    #[error(
+        "the loads move the beam between x = {} and x = {} {}: its hinges let it, and nothing {}",
+        shown(*from),
+        shown(*to),
+        if *up { "up" } else { "down" },
+        if *up { "holds it down there" } else { "is below it there" }
+    )]
+    Moved {
+        /// Where that part begins \[length\].
+        from: f64,
+        /// Where it ends \[length\].
+        to: f64,
+        /// Or down, where there is no ground.
+        up: bool,
+    },
     /// Neither supports nor ground.
     #[error("there is neither a support nor a foundation: nothing carries the beam")]
     NothingCarries,
@@ -143,6 +180,9 @@ impl Balance {
         let moves = || beam.is_mechanism(beam.holding().chain(pushing(scene)));
         match scene.foundation() {
             None if beam.is_hinged() && moves() => Self::of_supports(scene).and(Err(Unheld::Mechanism)),
+            _ if beam.is_hinged() => {
+                Self::of_supports(scene).and_then(|balance| hinged::rests(scene).map(|()| balance))
+            }
             _ => Self::of_supports(scene),
         }
     }
@@ -303,6 +343,10 @@ impl Unheld {
             Self::Turns { grounded, at, moment } => {
                 Self::Turns { grounded, at: at * scale.length, moment: moment * scale.moment() }
             }
+            Self::Turned { hinge, moment, right, up } => {
+                Self::Turned { hinge: hinge * scale.length, moment: moment * scale.moment(), right, up }
+            }
+            Self::Moved { from, to, up } => Self::Moved { from: from * scale.length, to: to * scale.length, up },
             Self::NothingPresses | Self::NothingCarries | Self::Mechanism => self,
         }
     }
