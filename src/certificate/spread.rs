@@ -31,7 +31,7 @@ pub(crate) struct Spread {
     pub(crate) force: f64,
     pub(crate) width: f64,
     /// `∫k` over that.
-    pub(super) spring: f64,
+    pub(crate) spring: f64,
 }
 
 /// The forces, from left to right.

@@ -173,9 +173,11 @@ fn of_places(scene: &Scene, contacts: &[Contact], exact: Option<&Exact>) -> Resu
         |at: &f64| exact.is_none_or(|exact| exact.state.supports.iter().any(|s| is_at(s.at, *at) && 0.0 < s.force));
     let press: Vec<f64> = stops.iter().copied().filter(pushes).collect();
     let given = Given::of(scene, &press)?;
-    // A stop is a spring, not a contact with the foundation.
+    // A stop is a spring, not a contact with the foundation, unless the foundation next to it carries too.
     let is_stop = |contact: &Contact| contact.to <= contact.from && stops.iter().any(|at| is_at(*at, contact.from));
-    let mut contacts: Vec<Contact> = contacts.iter().filter(|contact| !is_stop(contact)).cloned().collect();
+    let carries = |contact: &Contact| exact.is_some_and(|exact| exact.state.contacts.contains(contact));
+    let mut contacts: Vec<Contact> =
+        contacts.iter().filter(|contact| !is_stop(contact) || carries(contact)).cloned().collect();
     loop {
         let proven = given.nodes(&contacts, exact).and_then(|nodes| given.assembled(&nodes));
         let Err(Unproven::Tension { at }) = proven else { return proven };

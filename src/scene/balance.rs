@@ -9,6 +9,7 @@
 //! | none | `W > 0` and `a ≤ x_W ≤ b`: the moments `∫q (x − a)` and `∫q (b − x)` are not negative |
 //! | one simple, at `x_s` | `∫q (x − x_s) > 0` with contact possible to the right of it, `< 0` with contact to the left, or `= 0` |
 //!
+//! With hinges, the loads must not move any part upwards or into an opening without end (`hinged`).
 //! Under tension, `∫ N v'²/2` prevents rotation. One bilateral support is then enough, and without any `W > 0` is enough.
 //!
 //! `W = ∫q` is the resultant of the loads and `x_W = ∫q x / W` its position (Fichera 1964: a semi-coercive variational
@@ -18,6 +19,7 @@
 //! carry the loads alone in such a limiting case, the scene is rejected ([`Unheld::OnBorder`]) unless other contacts prevent
 //! rotation.
 
+mod hinged;
 mod sum;
 
 use std::cmp::Ordering;
@@ -107,6 +109,41 @@ pub enum Unheld {
     /// Hinges make the beam a mechanism, and there is no foundation below it.
     #[error("the beam is a mechanism: its hinges let it move without bending, and there is no foundation to stop it")]
     Mechanism,
+    /// The loads turn the part beyond a hinge about it.
+    #[error(
+        "the loads turn the part of the beam to the {} of its hinge at x = {} {} about it, with a moment of {}: nothing {}",
+        if *right { "right" } else { "left" },
+        shown(*hinge),
+        if *up { "up" } else { "down" },
+        rounded(*moment),
+        if *up { "holds it down" } else { "is below it" }
+    )]
+    Turned {
+        /// The hinge \[length\].
+        hinge: f64,
+        /// The moment of the loads about it \[force · length\].
+        moment: f64,
+        /// Whether the part is on the right of the hinge.
+        right: bool,
+        /// Whether it turns up; down is possible where there is no foundation.
+        up: bool,
+    },
+    /// The loads move one or more parts between hinges.
+    #[error(
+        "the loads move the beam between x = {} and x = {} {}: its hinges let it, and nothing {}",
+        shown(*from),
+        shown(*to),
+        if *up { "up" } else { "down" },
+        if *up { "holds it down there" } else { "is below it there" }
+    )]
+    Moved {
+        /// Start of the part \[length\].
+        from: f64,
+        /// End of the part \[length\].
+        to: f64,
+        /// Whether it moves up; down is possible where there is no foundation.
+        up: bool,
+    },
     /// There are neither supports nor a foundation.
     #[error("there is neither a support nor a foundation: nothing carries the beam")]
     NothingCarries,
@@ -146,6 +183,9 @@ impl Balance {
         let moves = || beam.is_mechanism(beam.holding().chain(pushing(scene)));
         match scene.foundation() {
             None if beam.is_hinged() && moves() => Self::of_supports(scene).and(Err(Unheld::Mechanism)),
+            _ if beam.is_hinged() => {
+                Self::of_supports(scene).and_then(|balance| hinged::rests(scene).map(|()| balance))
+            }
             _ => Self::of_supports(scene),
         }
     }
@@ -308,6 +348,10 @@ impl Unheld {
             Self::Turns { grounded, at, moment } => {
                 Self::Turns { grounded, at: at * scale.length, moment: moment * scale.moment() }
             }
+            Self::Turned { hinge, moment, right, up } => {
+                Self::Turned { hinge: hinge * scale.length, moment: moment * scale.moment(), right, up }
+            }
+            Self::Moved { from, to, up } => Self::Moved { from: from * scale.length, to: to * scale.length, up },
             Self::NothingPresses | Self::NothingCarries | Self::Mechanism => self,
         }
     }

@@ -109,7 +109,7 @@ const OF_A_NODE: usize = 6;
 impl Exact {
     /// The derivatives of this solution of `scene` by the depth of all of the ground, the bending stiffness, the uniform load, force
     /// and place of each point load, level and place of each support; of a beam with supports that give, joints, steps or an axial force
-    /// by their numbers and couples besides. Left out is what has none: all of a beam whose position is not certain.
+    /// by their numbers and couples besides, and of an elastic foundation by its steps. Left out is what has none: all of a beam whose position is not certain.
     #[must_use]
     pub fn derivatives(&self, scene: &Scene) -> Vec<Derivative> {
         let (derivatives, _) = self.derivatives_and_left_out(scene);
@@ -126,7 +126,12 @@ impl Exact {
             return (all.clone(), beyond.len() + if all.is_empty() { 0 } else { count - all.len() });
         }
         if let Some(springs) = &self.springs {
-            return (self.derivatives_on_springs(springs, scene, asked), beyond.len());
+            let is_step = |asked: &Asked| matches!(asked.by, By::Number(Quantity::GroundStepStiffness(_)));
+            let (steps, asked): (Vec<_>, Vec<_>) = asked.into_iter().partition(is_step);
+            let (count, steps) = (steps.len(), self.moved_derivatives(scene, steps));
+            let left_out = beyond.len() + if steps.is_empty() { 0 } else { count - steps.len() };
+            let all = self.derivatives_on_springs(springs, scene, asked).into_iter();
+            return (all.chain(steps).collect(), left_out);
         }
         // A beam that may turn has none to leave out.
         let (count, all) = (asked.len(), self.derivatives_within(scene, asked, MOST_PIECES));
@@ -176,6 +181,7 @@ impl Exact {
         if !self.is_linear() {
             asked.extend(self.asked_besides(scene));
         }
+        asked.extend(Self::asked_of_steps(scene));
         let left_out = asked.split_off(most.min(asked.len()));
         [asked, left_out]
     }

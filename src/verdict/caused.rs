@@ -9,6 +9,8 @@
 //! If its supports do not hold the beam, some of the given forces become supports on the foundation, and equilibrium determines their
 //! reactions. The next position to hold is the one whose force has the largest moment about the nearest position that is already
 //! held.
+//! On an elastic foundation it is held at positions of forces, at the depth of the springs that exert them. Its reactions there are
+//! what equilibrium lacks.
 
 use crate::certificate::{ContactLoad, Hung, Violation, ViolationKind, spread};
 use crate::scene::{LinearLoad, Load, PointLoad, Scale, Scene, SceneError, Support, is_same_place};
@@ -30,38 +32,32 @@ pub(crate) struct Caused {
 impl Caused {
     /// Solves the beam of a scene under given forces, in these units; [`None`] if they do not hold it. On an elastic foundation the
     /// forces are spread, unless they act at nodes (`at_nodes`).
-    ///
-    /// # Errors
-    ///
-    /// [`SceneError::NotKnown`] for a beam that only an elastic foundation holds.
-    pub(crate) fn of(
-        scene: &Scene,
-        forces: &ContactLoad,
-        units: &Scale,
-        at_nodes: bool,
-    ) -> Result<Option<Self>, SceneError> {
+    pub(crate) fn of(scene: &Scene, forces: &ContactLoad, units: &Scale, at_nodes: bool) -> Option<Self> {
         let mut given = Given::of(scene, forces, at_nodes);
         let solved = |given: &Given| {
             let bare = given.scene(scene, forces).ok()?;
             theory::solve(&bare).ok().filter(|exact| exact.solved && given.is_held(scene, exact))
         };
-        let exact = loop {
+        let mut exact = loop {
             if let Some(exact) = solved(&given) {
                 break exact;
             }
-            if scene.ground_stiffness().is_some() && 0 < given.free_motions(scene) {
-                let (what, feature) = ("a check of contact forces", "such a beam that an elastic foundation holds");
-                return Err(SceneError::NotKnown { what, feature });
-            }
+            given.is_placed = scene.ground_stiffness().is_some();
             if !given.hold(scene) {
-                return Ok(None);
+                return None;
             }
         };
-        Ok(Some(Self { curve: exact.curve(units), violations: given.violations(scene, &exact).collect() }))
+        if given.is_placed
+            && let Some(better) = given.place(scene, &exact, solved)
+        {
+            exact = better;
+        }
+        Some(Self { curve: exact.curve(units), violations: given.violations(scene, &exact).collect() })
     }
 }
 
 /// The given forces, sorted by their cause.
+#[derive(Debug, Clone)]
 struct Given {
     /// Positions and forces of the contacts that load the beam.
     contacts: Vec<(f64, f64)>,
@@ -73,6 +69,10 @@ struct Given {
     supports: Vec<Support>,
     /// Whether the forces are spread over the beam.
     is_spread: bool,
+    /// Places of an elastic foundation, and how deep below its surface the force there says that the beam is.
+    sunk: Vec<(f64, f64)>,
+    /// Whether these hold it. Under tension one place would be enough, and would leave it to what moments lack how the beam turns.
+    is_placed: bool,
 }
 
 impl Given {
@@ -83,7 +83,10 @@ impl Given {
         let (own, contacts) = forces.pressing.iter().copied().partition(is_own);
         let supports = beam.supports().iter().chain(beam.springs()).copied().collect();
         let is_spread = scene.ground_stiffness().is_some() && !at_nodes;
-        Self { contacts, own, holding: Vec::new(), supports, is_spread }
+        let soil = if scene.ground_stiffness().is_some() { spread::spread(scene, forces) } else { Vec::new() };
+        let sunk =
+            soil.iter().filter(|part| 0.0 < part.spring).map(|part| (part.x, part.force / part.spring)).collect();
+        Self { contacts, own, holding: Vec::new(), supports, is_spread, sunk, is_placed: false }
     }
 
     /// Whether the supports, with the compression-only supports that are pressed in `exact`, hold the beam. If they do not, its
@@ -106,7 +109,7 @@ impl Given {
     /// only one support of any kind.
     fn free_motions_on(&self, scene: &Scene, presses: impl Fn(&Support) -> bool) -> usize {
         let mut holding = self.supports.iter().filter(|support| !support.pushes_only || presses(support));
-        if 0.0 < scene.beam().tension() {
+        if 0.0 < scene.beam().tension() && !self.is_placed {
             return usize::from(holding.next().is_none());
         }
         scene.beam().free_motions(holding)
@@ -126,18 +129,43 @@ impl Given {
         next.sort_by(|a, b| b.0.total_cmp(&a.0));
         for (_, i) in next {
             let at = self.contacts[i].0;
-            let level = scene.gap(at) + beam.shape().map_or(0.0, |shape| shape.depth(at));
+            let sunk = self.sunk.iter().find(|(x, _)| x.total_cmp(&at).is_eq()).map(|(_, sunk)| *sunk);
+            let Some(sunk) = sunk.or((!self.is_placed).then_some(0.0)) else { continue };
+            let level = scene.gap(at) + beam.shape().map_or(0.0, |shape| shape.depth(at)) + sunk;
             if !level.is_finite() {
                 continue;
             }
             self.supports.push(Support { level, ..Support::simple(at) });
             if self.free_motions(scene) < free {
-                self.holding.push(self.contacts.remove(i));
+                // The springs go on to press; beside them nothing has to.
+                self.holding.push(if self.is_placed { (at, 0.0) } else { self.contacts.remove(i) });
                 return true;
             }
             self.supports.pop();
         }
         false
+    }
+
+    /// Moves the levels at the holding positions so that the beam comes as close as possible, by least squares, to the depths that the
+    /// forces of all springs imply.
+    fn place(&mut self, scene: &Scene, exact: &Exact, solved: impl Fn(&Self) -> Option<Exact>) -> Option<Exact> {
+        let first = self.supports.len() - self.holding.len();
+        let lacking = |exact: &Exact| -> Vec<f64> {
+            self.sunk.iter().map(|(x, sunk)| scene.gap(*x) + sunk - exact.deflection(*x)).collect()
+        };
+        let unit = self.sunk.iter().fold(0.0, |most: f64, (_, sunk)| most.max(sunk.abs()));
+        let here = lacking(exact);
+        let mut columns = Vec::new();
+        for i in first..self.supports.len() {
+            let mut supports = self.supports.clone();
+            supports[i].level += unit;
+            let there = lacking(&solved(&Self { supports, ..self.clone() })?);
+            columns.push(here.iter().zip(there).map(|(here, there)| here - there).collect::<Vec<f64>>());
+        }
+        for (i, steps) in least_squares(&columns, &here)?.into_iter().enumerate() {
+            self.supports[first + i].level += steps * unit;
+        }
+        solved(self)
     }
 
     /// The beam without its foundation, with the contact forces as loads.
@@ -182,4 +210,24 @@ impl Given {
         let law = worst(&self.own, ViolationKind::SpringLaw);
         law.into_iter().chain(worst(&self.holding, ViolationKind::Balance))
     }
+}
+
+/// How much of each column is nearest to a vector: a few normal equations by elimination.
+fn least_squares(columns: &[Vec<f64>], of: &[f64]) -> Option<Vec<f64>> {
+    let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let row = |a: &Vec<f64>| columns.iter().map(|b| product(a, b)).chain([product(a, of)]).collect::<Vec<f64>>();
+    let mut rows: Vec<Vec<f64>> = columns.iter().map(row).collect();
+    for i in 0..rows.len() {
+        let pivot = rows[i].clone();
+        for row in rows.iter_mut().skip(i + 1) {
+            let factor = row[i] / pivot[i];
+            row.iter_mut().zip(&pivot).for_each(|(value, above)| *value -= factor * above);
+        }
+    }
+    let mut found = vec![0.0; rows.len()];
+    for (i, row) in rows.iter().enumerate().rev() {
+        let right = row.last()? - product(&row[i + 1..columns.len()], &found[i + 1..]);
+        found[i] = right / row[i];
+    }
+    found.iter().all(|steps| steps.is_finite()).then_some(found)
 }

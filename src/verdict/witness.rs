@@ -90,14 +90,14 @@ impl<'a> Witness<'a> {
     ///
     /// # Errors
     ///
-    /// The errors of [`certify`]; for forces, only if a beam needs an elastic foundation to hold it.
+    /// The errors of [`certify`].
     pub fn judge(&self, judged: Judged<'_>, own: &[Contact]) -> Result<Certificate, SceneError> {
         let found = self.found(judged.places());
         let proven = found.and_then(|found| self.proof.get_or_init(|| found.proof(self.scene)).as_ref());
         if let Judged::Forces(forces) = judged
             && self.is_bent_in_theory()
         {
-            let caused = Caused::of(self.scene, forces, &self.scene.scaled()?.scale, false)?;
+            let caused = Caused::of(self.scene, forces, &self.scene.scaled()?.scale, false);
             let curve = caused.map_or_else(Vec::new, |caused| caused.curve);
             return match proven {
                 Some(proof) => Ok(proof.judge_curve(&curve)),
@@ -124,7 +124,7 @@ impl<'a> Witness<'a> {
             return violations(self.scene, forces);
         }
         let units = self.scene.scaled()?.scale;
-        let Some(caused) = Caused::of(self.scene, forces, &units, false)? else {
+        let Some(caused) = Caused::of(self.scene, forces, &units, false) else {
             return violations_by(self.scene, forces, Some(&[]));
         };
         let mut found = violations_by(self.scene, forces, Some(&caused.curve))?;
@@ -144,7 +144,7 @@ impl<'a> Witness<'a> {
             return Lumped::new(self.scene, forces);
         }
         Lumped::bent_by(self.scene, forces, |lumped, pressing| {
-            let caused = Caused::of(lumped, pressing, &DIMENSIONLESS, true).ok()??;
+            let caused = Caused::of(lumped, pressing, &DIMENSIONLESS, true)?;
             Some(caused.curve.iter().map(Hung::curve).collect())
         })
     }

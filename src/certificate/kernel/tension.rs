@@ -53,10 +53,25 @@ fn given(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2]) -> Polynomial {
     Polynomial::of(coefficients).shifted(Interval::length(part.from, from))
 }
 
-/// Deflection and slope of a polynomial at a place, as numbers.
-fn numbers(of: &Polynomial, s: Interval) -> [Interval; 2] {
-    [of.at(s), of.derivative().at(s)].map(|value| Interval::exact(value.middle()))
+/// Deflection and slope of a polynomial at a place.
+fn jet(of: &Polynomial, s: Interval) -> [Interval; 2] {
+    [of.at(s), of.derivative().at(s)]
 }
+
+/// The same as numbers.
+fn numbers(of: &Polynomial, s: Interval) -> [Interval; 2] {
+    jet(of, s).map(|value| Interval::exact(value.middle()))
+}
+
+/// A polynomial moved without bending, so that it has this deflection and slope at a place.
+fn moved(of: &Polynomial, [y, turn]: [Interval; 2], s: Interval) -> Polynomial {
+    let [own, turned] = jet(of, s);
+    of.plus(&Polynomial::new(&[y - own - (turn - turned) * s, turn - turned]))
+}
+
+/// A cell below this share of the widest one of its span is moved as it is given: a cubic over the width `w` that takes up a rounding `δ` of
+/// the deflection costs `12 EI δ²/w³`.
+const SHORT: f64 = 1e-3;
 
 /// What holds a beam under tension as a string: `½∫ N w'²` is less than the gap as well, and with a place `y` where `|w| ≤ ε`
 ///
@@ -78,9 +93,8 @@ impl Taut {
         if enclosed.tension <= 0.0 {
             return Self::default();
         }
-        let supports = enclosed.holding();
         let pressing = carriers.into_iter().filter_map(|place| known(place, gap, share));
-        let places = supports.chain(pressing).take(MOST).collect();
+        let places = enclosed.holding().chain(pressing).take(MOST).collect();
         let lever = (number(3) * Interval::exact(enclosed.stiffness) / Interval::exact(enclosed.tension)).sqrt().hi();
         Self { places, lever }
     }
@@ -111,24 +125,30 @@ impl Span {
         ends: [Option<[Interval; 2]>; 2],
         loaded: [Interval; 2],
     ) -> Self {
-        let inside = |x: &f64| from < *x && *x < to;
         let mut places = enclosed.breaks(from, to);
-        places.extend(enclosed.hung.iter().flat_map(|part| [part.from, part.to]).filter(inside));
+        places.extend(enclosed.hung.iter().flat_map(|part| [part.from, part.to]).filter(|x| from < *x && *x < to));
         let cells = cells(from, to, places);
         let given: Vec<Polynomial> = cells.iter().map(|cell| given(enclosed, *cell)).collect();
         let width = |cell: &[f64; 2]| Interval::length(cell[0], cell[1]);
-        let (mut parts, mut kinks) = (Vec::new(), Vec::new());
+        let thin = SHORT * cells.iter().map(|[a, b]| b - a).fold(0.0, f64::max);
+        let (mut parts, mut kinks, mut last, mut land) = (Vec::new(), Vec::new(), cells.len() - 1, ends[1]);
+        while let Some(end) = land.filter(|_| width(&cells[last]).hi() < thin && !enclosed.is_joint(cells[last][0])) {
+            land = Some(jet(&moved(&given[last], end, width(&cells[last])), Interval::ZERO));
+            last -= 1;
+        }
         let mut start = ends[0].unwrap_or_else(|| numbers(&given[0], Interval::ZERO));
         for (i, (cell, t)) in cells.iter().zip(&given).enumerate() {
-            let own = numbers(t, width(cell));
+            let part =
+                (width(cell).hi() < thin && (i != last || land.is_none())).then(|| moved(t, start, Interval::ZERO));
+            let own = part.as_ref().map_or_else(|| numbers(t, width(cell)), |part| jet(part, width(cell)));
             let beyond = match given.get(i + 1) {
+                _ if i == last => land.unwrap_or(own),
                 Some(next) if enclosed.is_joint(cell[1]) => [own[0], numbers(next, Interval::ZERO)[1]],
-                Some(_) => own,
-                None => ends[1].unwrap_or(own),
+                _ => own,
             };
             let end = if enclosed.is_joint(cell[1]) { [beyond[0], own[1]] } else { beyond };
             kinks.extend(enclosed.is_joint(cell[1]).then_some((cell[1], beyond[1] - end[1])));
-            parts.push((*cell, t.plus(&cubic([start, end], t, width(cell), None))));
+            parts.push((*cell, part.unwrap_or_else(|| t.plus(&cubic([start, end], t, width(cell), None)))));
             start = beyond;
         }
         Self::of_parts(enclosed, parts.into(), kinks, loaded, ends.map(|end| end.is_none()))
@@ -183,13 +203,12 @@ impl Span {
         moments: [Interval; 2],
     ) -> Vec<([f64; 2], Polynomial)> {
         let (load, tension) = (enclosed.load, Interval::exact(enclosed.tension));
-        let force = self.shears(enclosed.tension, moments)[0];
         // From one place where the load changes to the next one: it, its shear force and moment there, and `∬q` beyond.
         let mut breaks = load.breaks(self.from, self.to).into_iter().peekable();
         let at = |x: f64, to: f64| Polynomial::new(&load.line(x, [x, to])).integral().integral();
         let next =
             |breaks: &mut std::iter::Peekable<std::vec::IntoIter<f64>>| breaks.peek().copied().unwrap_or(self.to);
-        let (mut origin, mut moment, mut shear) = (self.from, moments[0], force);
+        let (mut origin, mut moment, mut shear) = (self.from, moments[0], self.shears(enclosed.tension, moments)[0]);
         let mut caused = at(origin, next(&mut breaks));
         let of = |([from, to], v): &([f64; 2], Polynomial)| {
             let line = Polynomial::new(&[moment, shear]).minus(&caused).shifted(Interval::length(origin, *from));
@@ -215,15 +234,13 @@ impl Span {
         let mut sum = Interval::ZERO;
         let bent = self.moments_under_tension(enclosed, parts, moments);
         for ((ends, v), (_, bent)) in parts.iter().zip(bent) {
-            let (width, stiffness) = (Interval::length(ends[0], ends[1]), enclosed.stiffness_between(*ends));
-            let stiffness = Interval::exact(stiffness);
-            let rest = v.derivative().derivative().times(stiffness).plus(&bent);
-            sum = sum + rest.integral_of_product(&rest, width).not_negative() / (number(2) * stiffness);
+            let (width, ei) = (Interval::length(ends[0], ends[1]), enclosed.stiffness_between(*ends));
+            let rest = v.derivative().derivative().times(Interval::exact(ei)).plus(&bent);
+            sum = sum + rest.integral_of_product(&rest, width).not_negative() / (number(2) * Interval::exact(ei));
             let Some(k) = enclosed.joint(ends[1]).filter(|k| 0.0 < *k) else { continue };
             let kink = self.kinks.iter().filter(|kink| kink.0.total_cmp(&ends[1]).is_eq());
-            let turned = kink.fold(Interval::ZERO, |sum, kink| sum + kink.1) * Interval::exact(k);
-            let here = self.moment_behind(*ends, &bent, moments);
-            sum = sum + (turned + here).square() / (number(2) * Interval::exact(k));
+            let turn = kink.fold(Interval::ZERO, |sum, kink| sum + kink.1) * Interval::exact(k);
+            sum = sum + (turn + self.moment_behind(*ends, &bent, moments)).square() / (number(2) * Interval::exact(k));
         }
         sum
     }

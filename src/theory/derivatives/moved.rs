@@ -175,6 +175,17 @@ impl Exact {
         all.extend((beam.tension() != 0.0).then(|| asked(Quantity::Tension, pull)));
         all
     }
+
+    /// By the steps of the stiffness of an elastic foundation. A hole has none: as soon as there is something in it, contacts are others.
+    pub(super) fn asked_of_steps(scene: &Scene) -> impl Iterator<Item = Asked> + '_ {
+        let is_one = scene.ground_changes().next().is_none();
+        let steps = scene.ground_steps().iter().enumerate().filter(move |(_, step)| !is_one && 0.0 < step[1]);
+        let change = [Change::Stiffen; 2];
+        steps.map(move |(i, step)| {
+            let by = By::Number(Quantity::GroundStepStiffness(i));
+            Asked { by, change, unit: 1.0, least: NOTHING * step[1] }
+        })
+    }
 }
 
 /// Of the fourth and of the second order from one side.

@@ -265,8 +265,7 @@ fn forces_at_nodes_bend_the_beam_of_their_grid() {
     assert!(sample_of(150) < count && 9 * count <= 10 * places, "{places} of {count}");
 }
 
-/// What is not computed says so: a list of contacts alone does not bend a beam on springs, and a beam that only an elastic foundation holds
-/// stays open.
+/// What is not computed says so: a list of contacts alone does not bend a beam on springs.
 #[test]
 fn what_bends_in_no_known_way_is_refused() {
     let beam = "[beam]\nlength = 4.0\nbending_stiffness = 1.0\n";
@@ -275,8 +274,56 @@ fn what_bends_in_no_known_way_is_refused() {
     let giving = read(&format!("{beam}{springs}[load]\nuniform = 1\n[foundation]\ndepth = 1\n"));
     let alone = palkki::certificate::certify(&giving, Judged::Forces(&load), &[]).expect_err("springs");
     assert!(alone.to_string().contains("cannot compute supports that give yet"), "{alone}");
-    let hinge = "supports = []\njoints = [{ at = 1.0 }]\n[load]\nuniform = 1\n";
-    let free = read(&format!("{beam}{hinge}[foundation]\ndepth = 1\nstiffness = 10\n"));
-    let open = Witness::of(&free).judge(Judged::Forces(&load), &[]).expect_err("an elastic foundation");
-    assert!(open.to_string().contains("a beam that an elastic foundation holds"), "{open}");
+}
+
+/// Two halves that all but do not bend, a hinge with a force `P` between them, on soil: each presses with `q + P/8 (1 + 3 (2 − s)/2)` at `s` from the
+/// hinge, and sinks by that over `k`. So it does under the forces of the springs of a mesh.
+#[test]
+fn an_elastic_foundation_holds_what_its_forces_bend() {
+    let (q, k, force) = (2.0, 5.0, 1.0);
+    for pull in ["", "tension = 1e-6\n"] {
+        let scene = read(&format!(
+            "[beam]\nlength = 8.0\nbending_stiffness = 3e7\nsupports = []\njoints = [{{ at = 4.0 }}]\n{pull}\
+             [load]\nuniform = {q:?}\npoint = [{{ at = 4.0, force = {force:?} }}]\n\
+             [foundation]\npolynomial = [0.25, 0.125]\nstiffness = {k:?}\n"
+        ));
+        let pressed = |s: f64| q + force / 8.0 * (1.0 + 1.5 * (2.0 - s));
+        let forces: Vec<(f64, f64)> =
+            (0..32).map(|i| 0.125 + 0.25 * f64::from(i)).map(|x| (x, 0.25 * pressed((x - 4.0_f64).abs()))).collect();
+        let (right, found) = judged(&scene, &forces);
+        let deepest = 1.25 + pressed(4.0) / k;
+        assert!(right.deflection_error <= 1e-5 && (right.deflection - deepest).abs() <= 1e-5, "{right:?}");
+        assert!(found.iter().all(|(_, share)| *share <= 1e-5), "{found:?}");
+        assert_eq!(Verdict::of_forces(right).status, Status::Certified);
+        // Twice the force says twice as deep, and is not in balance.
+        let double: Vec<(f64, f64)> = forces.iter().map(|(x, force)| (*x, 2.0 * force)).collect();
+        let (wrong, found) = judged(&scene, &double);
+        assert!(0.9 * q / k <= wrong.deflection_error, "{wrong:?}");
+        assert!(found.iter().any(|(kind, share)| *kind == ViolationKind::Balance && 0.1 < *share), "{found:?}");
+        // Nothing that presses holds nothing.
+        assert!(judged(&scene, &[(1.0, 0.0)]).0.deflection_error.is_infinite());
+    }
+}
+
+/// General beams that nothing but an elastic foundation holds: no bound below the error of the largest deflection, and right forces are close.
+#[test]
+fn forces_of_soil_place_a_beam() {
+    let (mut count, mut close) = (0, 0);
+    for i in 0..sample_of(500_u64) {
+        let Some((text, exact, right)) = scene(i, true) else { continue };
+        let (scene, size) = (read(&text), exact.state.deflection.magnitude());
+        if is_held(&scene) {
+            continue;
+        }
+        for share in [1.0, 0.5] {
+            let forces: Vec<(f64, f64)> = right.iter().map(|(x, force)| (*x, share * force)).collect();
+            let (certificate, _) = judged(&scene, &forces);
+            let off = (size - certificate.deflection).abs();
+            let bound = certificate.deflection_error;
+            assert!(off <= bound * (1.0 + 1e-6) + 1e-9 * size, "{i}: {off:e} for {certificate:?}\n{text}");
+            count += usize::from(share >= 1.0);
+            close += usize::from(share >= 1.0 && bound <= 0.05 * size);
+        }
+    }
+    assert!(0 < count && 4 * count <= 10 * close, "{close} of {count}");
 }

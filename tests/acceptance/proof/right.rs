@@ -74,6 +74,20 @@ fn a_support_at_an_end_is_all_that_holds() {
     }
 }
 
+/// The edge of a step carries together with a stop at the same place.
+#[test]
+fn a_stop_beside_ground_that_carries_too() {
+    let text = "[beam]\nlength = 12.0\nbending_stiffness = 1000.0\n\
+        supports = [{ at = 0 }, { at = 4, pushes_only = true, level = 0.1, stiffness = 2.0 }, { at = 12 }]\n\
+        [load]\nuniform = 10.0\n[foundation]\npoints = [[0, 1.0], [4, 0.5], [4, 3.0], [12, 3.0]]\n";
+    let scene = parse("scene.toml", text, |_| Err(ReadProblem::Missing)).expect("a scene");
+    let exact = theory::solve(&scene).expect("an answer");
+    let stop = exact.state.supports[1].force;
+    let [edge] = exact.state.contacts[..] else { panic!("{:?}", exact.state.contacts) };
+    assert!((stop - 0.8).abs() <= 1e-12 && edge.from.total_cmp(&4.0).is_eq() && 0.0 < edge.force, "{edge:?}");
+    assert_eq!(is_sharp(text, &scene, &exact), Ok(true));
+}
+
 /// All scenes of the report without a cosine. In one the ground is level with a support but for a rounding: in fractions it begins 2.8e-16
 /// below it, and the energy is certain to the tenth digit only.
 #[test]

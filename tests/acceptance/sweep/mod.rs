@@ -8,6 +8,7 @@ mod find;
 mod find_soft;
 mod govern;
 mod rows;
+mod steps;
 mod trains;
 
 use palkki::scene::{Foundation, Load, PointLoad, Scene, Support};

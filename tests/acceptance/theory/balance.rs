@@ -105,9 +105,12 @@ fn random_loads_are_classified_as_fractions_classify_them() {
                         assert!(zero < force && side && support.is_none(), "{what}");
                     }
                     Unheld::NothingPresses => assert!(near(&left) && near(&right) && support.is_none(), "{what}"),
-                    Unheld::Couple { .. } | Unheld::NothingCarries | Unheld::OnBorder { .. } | Unheld::Mechanism => {
-                        panic!("{what}")
-                    }
+                    Unheld::Couple { .. }
+                    | Unheld::NothingCarries
+                    | Unheld::OnBorder { .. }
+                    | Unheld::Mechanism
+                    | Unheld::Turned { .. }
+                    | Unheld::Moved { .. } => panic!("{what}"),
                 }
             }
         }

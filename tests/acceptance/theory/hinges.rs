@@ -1,7 +1,7 @@
 //! Beams with a hinge beside an end at which statics alone says what is there: elimination must not begin on that side.
 
-use palkki::scene::Scene;
-use palkki::scene::file::{ReadProblem, parse};
+use palkki::scene::file::{Problem, ReadProblem, parse};
+use palkki::scene::{Scene, SceneError, Unheld};
 use palkki::theory::{self, Exact};
 use palkki::verdict::Status;
 
@@ -104,4 +104,73 @@ fn ground_below_a_support_that_only_pushes_at_an_end_holds_nothing_there() {
     let exact = theory::solve(&scene).expect("an answer");
     assert!(exact.solved);
     check(exact.state.supports[1].force, 1.766 * 1.3 / 2.0);
+}
+
+/// What happens to a beam of length 10 under its weight 1 and a load, if nothing balances them.
+fn unheld(beam: &str, load: &str, ground: &str) -> Option<Unheld> {
+    let text =
+        format!("[beam]\nlength = 10.0\nbending_stiffness = 1.0\n{beam}\n[load]\nuniform = 1.0\n{load}\n{ground}");
+    match parse("scene.toml", &text, |_| Err(ReadProblem::Missing)).map_err(|error| error.problem) {
+        Ok(_) => None,
+        Err(Problem::Scene { error: SceneError::Unheld(why), .. }) => Some(why),
+        Err(other) => panic!("{other}\n{text}"),
+    }
+}
+
+/// A part beyond a hinge that its loads turn up, and one that sinks into a gap: a scene without an answer says which, about what and by how much.
+#[test]
+fn a_part_beyond_a_hinge_has_to_rest() {
+    let level = "[foundation]\ndepth = 1.0";
+    let at_end = "joints = [{ at = 8.0 }]\nsupports = [{ at = 0 }, { at = 6 }]";
+    // The weight of two lengths turns down by 2, and a force at the end up by twice as much as it is.
+    for (force, moment) in [(-0.9, None), (-1.5, Some(1.0)), (-1.001, Some(0.002))] {
+        let found = unheld(at_end, &format!("point = [{{ at = 10.0, force = {force} }}]"), level);
+        assert_eq!(found.is_some(), moment.is_some(), "{force}: {found:?}");
+        let Some(moment) = moment else { continue };
+        let Some(Unheld::Turned { hinge, moment: found, right: true, up: true }) = found else { panic!("{found:?}") };
+        check(hinge, 8.0);
+        assert!((found - moment).abs() <= 1e-12, "{found}");
+        let said = Unheld::Turned { hinge, moment: found, right: true, up: true }.to_string();
+        assert!(said.contains("to the right of its hinge at x = 8 up about it"), "{said}");
+    }
+    let mirrored = unheld(
+        "joints = [{ at = 2.0 }]\nsupports = [{ at = 4 }, { at = 10 }]",
+        "couple = [{ at = 1.0, moment = 7.0 }]",
+        level,
+    );
+    assert!(matches!(mirrored, Some(Unheld::Turned { right: false, up: true, .. })), "{mirrored:?}");
+    // Something that holds it down, or against turning, is enough; what only pushes is not, and neither is a stiff joint needed.
+    let held = "joints = [{ at = 8.0 }]\nsupports = [{ at = 0 }, { at = 6 }, { at = 9 }]";
+    let up = "point = [{ at = 10.0, force = -1.5 }]";
+    assert_eq!(unheld(held, up, level), None);
+    assert!(unheld(&held.replace("at = 9", "at = 9, pushes_only = true, level = 0.5"), up, level).is_some());
+    assert_eq!(unheld(&held.replace("at = 9", "at = 9, stiffness = 0.1"), up, level), None);
+    assert_eq!(unheld(&at_end.replace("at = 8.0", "at = 8.0, stiffness = 1e-3"), up, level), None);
+    assert_eq!(unheld(&format!("tension = 1.0\n{at_end}"), up, level), None);
+    // Without foundation below it the part falls.
+    let hole = "[foundation]\ndepth = 1.0\nstiffness = { steps = [[0, 10.0], [8.0, 0.0]] }";
+    let found = unheld(at_end, "", hole);
+    assert!(matches!(found, Some(Unheld::Turned { right: true, up: false, .. })), "{found:?}");
+    assert_eq!(unheld(at_end, "", &hole.replace("8.0, 0.0", "9.5, 0.0")), None);
+}
+
+/// A link that is pulled up between two hinges takes its neighbours along, as far as these are not heavy enough.
+#[test]
+fn parts_between_hinges_have_to_rest() {
+    let beam = "joints = [{ at = 3.0 }, { at = 7.0 }]\nsupports = []";
+    let level = "[foundation]\ndepth = 1.0";
+    // With the ends down the neighbours turn about these: their weight of 3 at half of what the link rises by.
+    for (force, moves) in [(-6.9, false), (-7.1, true)] {
+        let found = unheld(beam, &format!("point = [{{ at = 5.0, force = {force} }}]"), level);
+        let is_moved = matches!(found, Some(Unheld::Moved { up: true, from, to }) if from <= 0.0 && 7.0 <= to);
+        assert_eq!(is_moved, moves, "{force}: {found:?}");
+        assert_eq!(found.is_some(), moves, "{force}: {found:?}");
+    }
+    // One hinge up, the other one down: 2 of the link and 1.5 beyond against 0.75 of the load.
+    for (force, moves) in [(-4.6, false), (-4.7, true)] {
+        let found = unheld(beam, &format!("point = [{{ at = 4.0, force = {force} }}]"), level);
+        assert_eq!(found.is_some(), moves, "{force}: {found:?}");
+        let said = found.map_or_else(String::new, |why| why.to_string());
+        assert!(!moves || said.contains("between x = 0 and x = 7 up"), "{said}");
+    }
 }

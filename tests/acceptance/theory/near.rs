@@ -220,3 +220,28 @@ fn a_load_over_a_few_last_units_has_its_force() {
         }
     }
 }
+
+/// Under an axial force, a load from the last bit to a millionth of the beam beside a change of the bending stiffness and another load: the bounds
+/// are as narrow as where it acts at the same place.
+#[test]
+fn a_load_under_an_axial_force_may_lie_beside_any_place() {
+    for (tension, at) in [-20.0, 0.5, 300.0, 30_000.0].into_iter().flat_map(|n| [(n, 3.0), (n, 4.5_f64)]) {
+        let mut places = vec![at, at.next_up(), at.next_down()];
+        places.extend(
+            [1e-13, 1e-10, 1e-8, 1e-6].into_iter().flat_map(|share| [at - share * LENGTH, at + share * LENGTH]),
+        );
+        for x in places {
+            let text = format!(
+                "[beam]\nlength = 12.0\nbending_stiffness = {{ steps = [[0, 400.0], [3.0, 600.0]] }}\ntension = {tension}\n\
+                 supports = [{{ at = 0 }}, {{ at = 9 }}, {{ at = 12 }}]\n[load]\nuniform = 10.0\n\
+                 point = [{{ at = {x:?}, force = 30.0 }}, {{ at = 4.5, force = -5.0 }}]\n"
+            );
+            let solution = palkki::solve_exactly(&super::general::scene(&text)).expect("an answer");
+            assert_eq!(solution.verdict.status, Status::Certified, "{}\n{text}", solution.verdict);
+        }
+    }
+    // The last cell is the short one, before a support.
+    let text = "[beam]\nlength = 12.0\nbending_stiffness = 400.0\ntension = 20.0\n[load]\npoint = [{ at = 11.999999999, force = 1e3 }]\n";
+    let solution = palkki::solve_exactly(&super::general::scene(text)).expect("an answer");
+    assert_eq!(solution.verdict.status, Status::Certified, "{}\n{text}", solution.verdict);
+}

@@ -37,6 +37,9 @@ fn random_scenes_get_right_answers_or_none() {
     // One run in eight is asked for the same in other units, and of these most have an answer there.
     let rescaled: u64 = tally.families.values().map(|count| count.rescaled as u64).sum();
     assert!(runs < 16 * rescaled, "{rescaled} of {runs} answers are compared with those in other units");
+    // Of the general beams, a quarter of all, some are asked for forces that are brought.
+    let brought: u64 = tally.families.values().map(|count| count.brought as u64).sum();
+    assert!(runs < 16 * brought, "{brought} sets of forces in {runs} runs");
 }
 
 /// Found by `cargo xtask hostile`, one by one, when a number in the program was too generous or lost its digits: cliffs of

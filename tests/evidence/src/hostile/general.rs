@@ -12,6 +12,7 @@ use crate::authority::check;
 use crate::draft::Draft;
 use crate::random::Random;
 
+use super::brought::forces;
 use super::held::{shaped, supported};
 use super::laws::overlap;
 use super::near::beside;
@@ -149,7 +150,12 @@ pub(super) fn laws(trial: &mut Trial, draft: &Draft, scene: &Scene, random: &mut
     mirrored(trial, draft, &exact);
     let Some(certificate) = &verdict.certificate else { return };
     let settings = on_fitting_grid(scene, settings(random));
-    let Ok(outcome) = solve_raw(scene, &settings) else { return };
+    let outcome = solve_raw(scene, &settings);
+    let state = outcome.as_ref().ok().filter(|outcome| outcome.solved).map(|outcome| &outcome.state);
+    if random.once_in(2) {
+        forces(trial, scene, (&exact, certificate), state, random);
+    }
+    let Ok(outcome) = outcome else { return };
     trial.route = Some(outcome.solved);
     let on_grid = Verdict::of_raw(&outcome, &Witness::known(scene, &exact), &Demand::default());
     if let Some(other) = on_grid.certificate.filter(|_| on_grid.refusal.is_none()) {

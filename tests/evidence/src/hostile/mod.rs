@@ -2,6 +2,7 @@
 //! The acceptance suite makes the first few, `cargo xtask hostile` as many as it is asked for.
 
 mod alike;
+mod brought;
 mod derivatives;
 mod edges;
 mod energies;

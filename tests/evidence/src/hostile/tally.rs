@@ -32,6 +32,8 @@ pub struct Count {
     pub derived: usize,
     /// Runs in which a sweep was compared with its rows.
     pub swept: usize,
+    /// Sets of contact forces that were brought and judged.
+    pub brought: usize,
     /// The most lists of contacts that theory tried, the most iterations of a route.
     pub work: [usize; 2],
     /// Runs in which something is wrong.
@@ -78,6 +80,7 @@ impl Tally {
                 (&mut a.rescaled, b.rescaled),
                 (&mut a.derived, b.derived),
                 (&mut a.swept, b.swept),
+                (&mut a.brought, b.brought),
                 (&mut a.wrong, b.wrong),
                 (&mut a.panics, b.panics),
             ];
@@ -114,6 +117,7 @@ impl Tally {
         count.rescaled += usize::from(trial.rescaled);
         count.derived += usize::from(trial.derived);
         count.swept += usize::from(trial.swept);
+        count.brought += trial.brought;
         for (most, work) in count.work.iter_mut().zip(trial.work) {
             *most = work.max(*most);
         }

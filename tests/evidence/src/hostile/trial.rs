@@ -52,6 +52,8 @@ pub(crate) struct Trial {
     pub(crate) derived: bool,
     /// True if a sweep was compared with its rows.
     pub(crate) swept: bool,
+    /// Sets of contact forces that were brought and judged.
+    pub(crate) brought: usize,
     /// Lists of contacts that theory tried, and iterations of the routes: the most.
     pub(crate) work: [usize; 2],
     /// What is wrong. Empty, or the program is.
