@@ -38,6 +38,8 @@ struct DerivativeObject {
     reactions: EndsObject,
     supports: Vec<f64>,
     contacts: Vec<ContactObject>,
+    /// Includes contacts that begin to press.
+    contact_force: f64,
     energy: f64,
 }
 
@@ -127,9 +129,10 @@ fn table_of(derivatives: &BTreeMap<String, DerivativeObject>, left_out: Option<u
     header.extend(["contact force", "energy", ""].map(str::to_owned));
     let number = |value: &f64| if value.is_finite() { labels.number(*value) } else { "-".to_owned() };
     let row = |(by, derivative): (&String, &DerivativeObject)| -> Row {
-        let contact: f64 = derivative.contacts.iter().map(|contact| contact.force).sum();
         let mut row = vec![format!("by {by}")];
-        row.extend(derivative.supports.iter().take(shown).chain([&contact, &derivative.energy]).map(number));
+        row.extend(
+            derivative.supports.iter().take(shown).chain([&derivative.contact_force, &derivative.energy]).map(number),
+        );
         row.push(match (derivative.missing, derivative.one_sided) {
             (Some(why), _) => why.split(':').next().unwrap_or_default().to_owned(),
             (None, true) => "one-sided".to_owned(),
@@ -154,7 +157,7 @@ fn table_of(derivatives: &BTreeMap<String, DerivativeObject>, left_out: Option<u
 }
 
 fn object(derivative: Derivative, supports: &[SupportForce], length: f64) -> DerivativeObject {
-    let Derivative { one_sided, missing, supports: forces, contacts, energy, .. } = derivative;
+    let Derivative { one_sided, missing, supports: forces, contacts, contact_force, energy, .. } = derivative;
     let contact = |ContactDerivative { from, to, force, end_forces }| ContactObject::new(from, to, force, end_forces);
     DerivativeObject {
         one_sided,
@@ -162,6 +165,7 @@ fn object(derivative: Derivative, supports: &[SupportForce], length: f64) -> Der
         reactions: EndsObject::of(length, supports, |i| forces[i]),
         contacts: contacts.into_iter().map(contact).collect(),
         supports: forces,
+        contact_force,
         energy,
     }
 }

@@ -50,6 +50,8 @@ pub struct Derivative {
     pub supports: Vec<f64>,
     /// Of the contacts, in their order.
     pub contacts: Vec<ContactDerivative>,
+    /// Of the total contact force. It includes contacts that begin to press.
+    pub contact_force: f64,
     /// Of the energy `J`.
     pub energy: f64,
 }
@@ -235,7 +237,7 @@ impl Exact {
         supports.extend(lifted.map(|at| (at, 0.0)));
         supports.sort_by(|a, b| a.0.total_cmp(&b.0));
         let supports = supports.into_iter().map(|(_, force)| force).collect();
-        let contacts = self.of_pressing(&contacts);
+        let (contacts, contact_force) = self.of_pressing(&contacts);
         let energy = self.energy_by(of, changes) * self.stiffness * self.scale.energy() / unit + 0.0;
         let is_known = contacts.iter().all(|contact| contact.from.is_finite() && contact.to.is_finite());
         let there = Derivative {
@@ -244,13 +246,15 @@ impl Exact {
             missing: (!is_known).then_some(Missing::Undetermined),
             supports,
             contacts,
+            contact_force,
             energy,
         };
         if holds == [false; 2] { there.without_numbers() } else { there }
     }
 
-    /// The derivatives of the contacts that press, from those of the contacts of the list: a part of one has none.
-    pub(super) fn of_pressing(&self, listed: &[ContactDerivative]) -> Vec<ContactDerivative> {
+    /// The derivatives of the contacts that press, from those of the contacts of the list, and that of the total contact force. A part of
+    /// a contact has none.
+    pub(super) fn of_pressing(&self, listed: &[ContactDerivative]) -> (Vec<ContactDerivative>, f64) {
         let mut next = 0;
         let of = |contact: &Contact| {
             next += self.listed[next..].iter().take_while(|listed| listed.to < contact.from).count();
@@ -258,7 +262,8 @@ impl Exact {
             let whole = near.zip(&listed[next..]).find(|(listed, _)| *listed == contact);
             whole.map_or_else(|| ContactDerivative::none(contact.end_forces.is_some()), |(_, derivative)| *derivative)
         };
-        self.state.contacts.iter().map(of).collect()
+        let contacts = self.state.contacts.iter().map(of).collect();
+        (contacts, listed.iter().fold(0.0, |sum, derivative| sum + derivative.force))
     }
 
     /// What the support at node `i` exerts, over `EI`: one that holds the beam with the load that stands on it.
@@ -307,7 +312,7 @@ impl Derivative {
         for contact in &mut self.contacts {
             *contact = ContactDerivative::none(contact.end_forces.is_some());
         }
-        self.energy = f64::NAN;
+        (self.contact_force, self.energy) = (f64::NAN, f64::NAN);
         self
     }
 }

@@ -147,8 +147,8 @@ impl Exact {
         };
         let contacts: Vec<_> = self.listed.iter().zip(rest.chunks_exact(5)).map(contact).collect();
         let energy = rest.last().copied().unwrap_or(f64::NAN);
-        let contacts = self.of_pressing(&contacts);
-        Derivative { by, one_sided, missing, supports: supports.to_vec(), contacts, energy }
+        let (contacts, contact_force) = self.of_pressing(&contacts);
+        Derivative { by, one_sided, missing, supports: supports.to_vec(), contacts, contact_force, energy }
     }
 
     /// What is asked of a general beam besides: the numbers of what it has.

@@ -103,6 +103,7 @@ impl Exact {
             one_sided,
             missing: (!determined).then_some(Missing::Undetermined),
             supports: supports.collect(),
+            contact_force: contacts.iter().fold(0.0, |sum, contact| sum + contact.force),
             contacts,
             energy,
         })

@@ -2,10 +2,11 @@
 
 use palkki::route::Status;
 use palkki::scene::file::{ReadProblem, parse};
-use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, Support};
+use palkki::scene::{Beam, Foundation, Load, PointLoad, Quantity, Scene, Support};
 use palkki::solve_exactly;
 use palkki::state::ContactState;
 use palkki::sweep::Sweep;
+use palkki::theory::By;
 use palkki_evidence::random::{self, Feature, Random, sample_of};
 
 use crate::scenes;
@@ -208,4 +209,27 @@ fn the_moments_of_all_free_spans_are_those_of_the_beam() {
         compared += 1;
     }
     assert!(SCENES / 2 <= compared, "{compared} scenes without zones");
+}
+
+/// A plank with two forces exactly above two crests, and a third crest on the line of these two, which it touches without pressing. More
+/// load presses there: the derivatives on that side include it, and the total contact force changes as the load does.
+#[test]
+fn a_contact_that_begins_to_press_counts_in_derivatives() {
+    let crests = vec![[0.0, 1.375], [2.0, 0.875], [4.0, 2.75], [6.0, 0.5], [8.0, 3.0], [10.0, 0.125], [16.0, 2.25]];
+    let scene = scene(16.0, &[], &[[10.0, 0.7], [6.0, 0.7]], Some(Foundation::Polyline { points: crests }));
+    let exact = palkki::theory::solve(&scene).expect("an answer");
+    assert_eq!((exact.state.contacts.len(), exact.state.touches.len()), (2, 1));
+    let all = exact.derivatives(&scene);
+    for derivative in &all {
+        let of_load = match derivative.by {
+            By::Number(Quantity::Uniform) => 16.0,
+            By::Number(Quantity::PointForce(_)) => 1.0,
+            _ => 0.0,
+        };
+        assert!((derivative.contact_force - of_load).abs() <= 1e-12, "{derivative:?}");
+    }
+    let of = |by: Quantity| all.iter().find(|derivative| derivative.by == By::Number(by)).expect("a derivative");
+    let by_uniform = of(Quantity::Uniform);
+    let pressing: f64 = by_uniform.contacts.iter().map(|contact| contact.force).sum();
+    assert!(by_uniform.one_sided && pressing < 16.0 - 1.0, "{by_uniform:?}");
 }

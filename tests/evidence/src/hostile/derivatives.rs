@@ -20,17 +20,18 @@ fn beside(scene: &Scene, by: By, step: f64) -> Option<Scene> {
     }
 }
 
-/// What derivatives are told of: forces of supports, the forces and places of contacts, the energy.
+/// What derivatives are told of: forces of supports, the energy and the total contact force, the forces and places of contacts.
 fn numbers(exact: &Exact) -> Vec<f64> {
     let state = &exact.state;
     let supports = state.supports.iter().map(|s| s.force);
     let contacts = state.contacts.iter().flat_map(|c| [c.force, c.from, c.to]);
-    supports.chain([state.energy]).chain(contacts).collect()
+    supports.chain([state.energy, state.contact_force()]).chain(contacts).collect()
 }
 
 fn claimed(derivative: &Derivative) -> Vec<f64> {
     let contacts = derivative.contacts.iter().flat_map(|c| [c.force, c.from, c.to]);
-    derivative.supports.iter().copied().chain([derivative.energy]).chain(contacts).collect()
+    let Derivative { energy, contact_force, .. } = *derivative;
+    derivative.supports.iter().copied().chain([energy, contact_force]).chain(contacts).collect()
 }
 
 /// Rounding of numbers, as a share of what they are made of.
@@ -57,20 +58,26 @@ fn made_of(scene: &Scene, exact: &Exact, force: f64, size: f64) -> Vec<Made> {
     let supports = exact.state.supports.iter().map(|s| force_of(s.force, [s.at; 2]));
     let contacts = exact.state.contacts.iter();
     let contacts = contacts.flat_map(|c| [force_of(c.force, [c.from, c.to]), other(length), other(length)]);
-    supports.chain([other(force * size)]).chain(contacts).collect()
+    supports.chain([other(force * size), Made { most: force, is_force: true }]).chain(contacts).collect()
 }
 
-/// A difference quotient in a step and in twice the step; the latter says how far the former is off.
+/// A difference quotient in a step and in twice the step; the latter says how far the former is off. Where other contacts press after a
+/// step, single contacts are left out, and supports, energy and the total contact force are compared.
 fn quotients(here: &[f64], scene: &Scene, by: By, step: f64, sides: [f64; 2]) -> Option<Vec<[f64; 2]>> {
     let at = |share: f64| {
         if share == 0.0 { Some(here.to_vec()) } else { Some(numbers(&certified(&beside(scene, by, share * step)?)?)) }
     };
+    let supports = scene.beam().supports_as_given().len();
     let quotient = |times: f64| {
         let [a, b] = [at(times * sides[0])?, at(times * sides[1])?];
-        if a.len() != here.len() || b.len() != here.len() {
-            return None;
-        }
-        Some(a.iter().zip(&b).map(|(a, b)| (b - a) / (times * step * (sides[1] - sides[0]))).collect::<Vec<f64>>())
+        let kept = if [a.len(), b.len()] == [here.len(); 2] { here.len() } else { supports + 2 };
+        Some(
+            a.iter()
+                .zip(&b)
+                .take(kept)
+                .map(|(a, b)| (b - a) / (times * step * (sides[1] - sides[0])))
+                .collect::<Vec<f64>>(),
+        )
     };
     let [one, two] = [quotient(1.0)?, quotient(2.0)?];
     Some(one.into_iter().zip(two).map(|(a, b)| [a, b]).collect())
