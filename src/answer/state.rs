@@ -110,7 +110,7 @@ impl Regime {
 
     /// The regime that a list of contacts makes.
     #[must_use]
-    pub fn of(contacts: &[Contact]) -> Self {
+    pub(crate) fn of(contacts: &[Contact]) -> Self {
         match contacts {
             [] => Self::None,
             _ if contacts.iter().any(|c| c.from < c.to) => Self::Zone,
@@ -233,7 +233,7 @@ pub struct ContactState {
 impl Standing {
     /// How a beam in this state stands, with the resultant of its loads.
     #[must_use]
-    pub fn of(state: &ContactState, resultant: Resultant, motion: Option<Motion>) -> Self {
+    pub(crate) fn of(state: &ContactState, resultant: Resultant, motion: Option<Motion>) -> Self {
         /// The digits that the place of a contact has.
         const ROUNDING: f64 = 1e-12;
         let carries = state.supports.iter().filter(|s| !s.pushes_only || 0.0 < s.force);

@@ -32,15 +32,15 @@ const COMMENTS: [char; 3] = ['%', '#', '*'];
 
 /// What is wrong with a matrix, and where.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Wrong {
+pub(crate) struct Wrong {
     /// Line, from 1.
-    pub line: usize,
+    pub(crate) line: usize,
     /// The line; as it was read, where it is met again later.
-    pub text: String,
+    pub(crate) text: String,
     /// Bytes of it that are meant.
-    pub marked: Range<usize>,
+    pub(crate) marked: Range<usize>,
     /// What is wrong.
-    pub problem: BodyProblem,
+    pub(crate) problem: BodyProblem,
 }
 
 /// Bytes of a line, and what is wrong with them.
@@ -68,7 +68,7 @@ enum Form {
 
 /// A matrix as far as it has been read.
 #[derive(Debug, Default)]
-pub struct Reader {
+pub(crate) struct Reader {
     sums_duplicates: bool,
     line: usize,
     form: Option<Form>,
@@ -85,7 +85,7 @@ pub struct Reader {
 impl Reader {
     /// One that adds the entries of a place up, or refuses a second one.
     #[must_use]
-    pub fn new(sums_duplicates: bool) -> Self {
+    pub(crate) fn new(sums_duplicates: bool) -> Self {
         Self { sums_duplicates, ..Self::default() }
     }
 
@@ -94,7 +94,7 @@ impl Reader {
     /// # Errors
     ///
     /// [`Wrong`].
-    pub fn line(&mut self, text: &str) -> Result<(), Wrong> {
+    pub(crate) fn line(&mut self, text: &str) -> Result<(), Wrong> {
         self.line += 1;
         let text = text.trim_end();
         self.read(text).map_err(|(marked, problem)| Wrong { line: self.line, text: text.to_owned(), marked, problem })
@@ -177,7 +177,7 @@ impl Reader {
     /// # Errors
     ///
     /// [`Wrong`].
-    pub fn end(mut self) -> Result<Profile, Wrong> {
+    pub(crate) fn end(mut self) -> Result<Profile, Wrong> {
         let last = self.line.max(1);
         let at_end = |problem| Wrong { line: last, text: String::new(), marked: 0..0, problem };
         let symmetric = match self.form {

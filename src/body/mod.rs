@@ -100,12 +100,6 @@ impl Body {
         Ok(Self { title: String::new(), units: Units::default(), kind, gap, reach, load, program })
     }
 
-    /// Which matrix was given.
-    #[must_use]
-    pub fn kind(&self) -> Kind {
-        self.kind
-    }
-
     /// The method of the paper that its program is, by its name.
     #[must_use]
     pub fn method(&self) -> &'static str {
@@ -141,7 +135,7 @@ impl Body {
 
     /// The distance of each freedom to the ground before it is loaded, infinite where there is none.
     #[must_use]
-    pub fn gap(&self) -> &[f64] {
+    pub(crate) fn gap(&self) -> &[f64] {
         &self.gap
     }
 

@@ -19,7 +19,7 @@ impl Foundation {
     /// other ends of the two chords: at a step, a hair makes a difference.
     #[must_use]
     #[inline]
-    pub fn bend(&self, x: f64, a: f64, b: f64, ends: [f64; 2]) -> f64 {
+    pub(crate) fn bend(&self, x: f64, a: f64, b: f64, ends: [f64; 2]) -> f64 {
         match self {
             Self::Flat { .. } => 0.0,
             Self::Polynomial { coefficients } => polynomial::bend(coefficients, x, a, b),

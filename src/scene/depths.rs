@@ -5,7 +5,7 @@ use super::foundation::between;
 
 impl Foundation {
     /// `u(x)` at ascending places, each as [`depth`](Self::depth) has it \[length\]. `depths` is as long as `places`.
-    pub fn depths(&self, places: &[f64], depths: &mut [f64]) {
+    pub(crate) fn depths(&self, places: &[f64], depths: &mut [f64]) {
         match self {
             Self::Flat { depth } => depths.fill(*depth),
             Self::Polynomial { coefficients } => {

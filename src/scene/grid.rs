@@ -51,7 +51,7 @@ impl Grid {
 
     /// `N`, the number of intervals.
     #[must_use]
-    pub fn intervals(&self) -> usize {
+    pub(crate) fn intervals(&self) -> usize {
         self.intervals
     }
 
@@ -160,7 +160,7 @@ impl Grid {
 
     /// `x_i` for `i = first, first + 1, …`, as many as there is room for.
     #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ intervals")]
-    pub fn places(&self, first: usize, places: &mut [f64]) {
+    pub(crate) fn places(&self, first: usize, places: &mut [f64]) {
         for (k, batch) in places.chunks_mut(BATCH).enumerate() {
             let begin = (first + k * BATCH) as f64;
             // In a batch a small whole number counts: it becomes a number of the kind that is divided at no cost.

@@ -85,18 +85,6 @@ impl Scene {
         Self::built(beam, load, foundation, Some(stiffness))
     }
 
-    /// The same with another stiffness from each place on, `(x_i, k_i)`; where it is 0 there is no foundation
-    /// \[length, force / length²\].
-    ///
-    /// # Errors
-    ///
-    /// No steps, steps that do not begin at 0, that go back or begin at the end of the beam, a stiffness that is negative, and a
-    /// foundation that is nowhere.
-    pub fn on_springs_in_steps(&self, steps: Vec<[f64; 2]>) -> Result<Self, SceneError> {
-        let stiffness = GroundStiffness::in_steps(steps, self.beam.length())?;
-        Ok(Self { stiffness: Some(stiffness), ..self.clone() })
-    }
-
     /// `k` of ground that gives, in steps the greatest one \[force / length²\]; none where it is rigid, or where there is no foundation.
     #[must_use]
     pub fn ground_stiffness(&self) -> Option<f64> {

@@ -213,7 +213,7 @@ impl Scene {
     }
 
     /// The same at ascending places; `gaps` is as long as `places`.
-    pub fn gaps(&self, places: &[f64], gaps: &mut [f64]) {
+    pub(crate) fn gaps(&self, places: &[f64], gaps: &mut [f64]) {
         match &self.foundation {
             Some(foundation) => foundation.depths(places, gaps),
             None => gaps.fill(f64::INFINITY),
@@ -237,13 +237,6 @@ impl Scene {
                 }
             }
         }
-    }
-
-    /// By how much the slope of a chord of `g` grows at `x`, as [`Foundation::bend`] has it; zero without a foundation.
-    #[must_use]
-    pub fn bend(&self, x: f64, a: f64, b: f64, ends: [f64; 2]) -> f64 {
-        let bend = self.foundation.as_ref().map_or(0.0, |f| f.bend(x, a, b, ends));
-        self.beam.shape().map_or(bend, |shape| bend - shape.bend(x, a, b, ends))
     }
 
     /// This scene in other units; `stiffness` is the unit of `EI`, that is `F L³ / U`.

@@ -40,7 +40,7 @@ impl Scene {
     /// # Errors
     ///
     /// A [`PathError`] that lists what can be varied.
-    pub fn quantity(&self, path: &str) -> Result<Quantity, PathError> {
+    pub(crate) fn quantity(&self, path: &str) -> Result<Quantity, PathError> {
         if path == Quantity::Length.to_string() {
             return Err(PathError::Length);
         }

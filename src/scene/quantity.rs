@@ -93,7 +93,7 @@ pub enum ProfileKey {
 
 /// What a number is measured in: numbers of one kind can be changed by the same amount.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub(crate) enum Kind {
     /// A place, a depth or a level.
     Length,
     /// A force.
@@ -115,7 +115,7 @@ pub enum Kind {
 impl Quantity {
     /// What it is measured in; [`None`] for what is not one number.
     #[must_use]
-    pub fn kind(self) -> Option<Kind> {
+    pub(crate) fn kind(self) -> Option<Kind> {
         Some(match self {
             Self::BendingStiffness | Self::StepStiffness(_) => Kind::BendingStiffness,
             Self::GroundStiffness | Self::GroundStepStiffness(_) => Kind::GroundStiffness,

@@ -31,7 +31,7 @@ impl Extremes {
     ///
     /// Where the extreme value holds over a stretch, the middle of the first such stretch is named, otherwise its first place.
     #[must_use]
-    pub fn of<I: IntoIterator<Item = (f64, f64), IntoIter: Clone>>(values: I) -> Self {
+    pub(crate) fn of<I: IntoIterator<Item = (f64, f64), IntoIter: Clone>>(values: I) -> Self {
         let values = values.into_iter();
         let (max, min) = values
             .clone()
@@ -64,7 +64,7 @@ impl Extremes {
 
     /// With one more value, if it lies clearly beyond those seen.
     #[must_use]
-    pub fn beyond(self, at: f64, value: f64) -> Self {
+    pub(crate) fn beyond(self, at: f64, value: f64) -> Self {
         let equal = Self::EQUAL * self.magnitude();
         if self.max + equal < value {
             Self { max: value, max_at: at, ..self }

@@ -35,7 +35,7 @@ impl Nodal {
     /// From values at all nodes but supported ends, and behind them of supports that give and only push: with the deflection `v = g − h`;
     /// where the ground lies so deep that this difference has few digits left, or none, `v = C t` by statics.
     #[must_use]
-    pub fn new(
+    pub(crate) fn new(
         discrete: &Discrete,
         discretisation: Discretisation,
         mut clearance: Vec<f64>,
@@ -104,7 +104,7 @@ impl Nodal {
 
     /// A beam that one place carries, before it is known how: at rest, and pressed by nothing.
     #[must_use]
-    pub fn resting(discrete: &Discrete, discretisation: Discretisation) -> Self {
+    pub(crate) fn resting(discrete: &Discrete, discretisation: Discretisation) -> Self {
         let nothing = || vec![0.0; discrete.nodes().len()];
         let stop_force = vec![0.0; discrete.supports().stops().len()];
         Self { discretisation, deflection: nothing(), clearance: nothing(), contact_force: nothing(), stop_force }
@@ -124,7 +124,7 @@ const NO_FORCE: f64 = 1e-12;
 
 /// The beam that its supports hold under nodal loads with no foundation: `v = C q`, and no quadratic program to solve.
 #[must_use]
-pub fn free_beam(discrete: &Discrete, discretisation: Discretisation) -> Nodal {
+pub(crate) fn free_beam(discrete: &Discrete, discretisation: Discretisation) -> Nodal {
     let nothing = vec![0.0; discrete.nodes().len()];
     let deflection = program::deflection(discrete, &nothing, discretisation);
     let clearance = discrete.clearances(&deflection);

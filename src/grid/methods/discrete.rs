@@ -108,7 +108,7 @@ impl Discrete {
 
     /// How far what is below a node gives under a unit force: a support that only pushes does not.
     #[must_use]
-    pub fn give(&self, node: usize) -> f64 {
+    pub(crate) fn give(&self, node: usize) -> f64 {
         match self.supports.bearings() {
             [] => self.grid.give(&self.ground, node, |_| false),
             _ if self.supports.pushing(node).is_some() => 0.0,
@@ -135,7 +135,7 @@ impl Discrete {
 
     /// Whether the ground gives at all.
     #[must_use]
-    pub fn gives(&self) -> bool {
+    pub(crate) fn gives(&self) -> bool {
         !self.ground.is_empty()
     }
 
@@ -153,7 +153,7 @@ impl Discrete {
 
     /// All nodes but the ends of the beam that have a support.
     #[must_use]
-    pub fn nodes(&self) -> Range<usize> {
+    pub(crate) fn nodes(&self) -> Range<usize> {
         self.supports.nodes()
     }
 
@@ -194,7 +194,7 @@ impl Discrete {
 
     /// Clearances `h = g − v` at [`nodes`](Self::nodes).
     #[must_use]
-    pub fn clearances(&self, deflection: &[f64]) -> Vec<f64> {
+    pub(crate) fn clearances(&self, deflection: &[f64]) -> Vec<f64> {
         self.depths.iter().zip(deflection).map(|(u, v)| u - v).collect()
     }
 

@@ -87,7 +87,7 @@ impl Discrete {
 
     /// Number of places at which the beam may touch, and no support holds it.
     #[must_use]
-    pub fn unknowns(&self) -> usize {
+    pub(crate) fn unknowns(&self) -> usize {
         self.touchable_count() + self.supports().stops().len()
     }
 

@@ -76,7 +76,7 @@ impl SparseForm {
     /// What `z`, with multipliers `y` of the equations, leaves of them and of the gradient: `E z − e`, length r, and
     /// `P z + c + Eᵀ y`, length m, from terms of which `part` is taken: all of them as they are, or their magnitudes.
     #[must_use]
-    pub fn left(&self, z: &[f64], y: &[f64], part: fn(f64) -> f64) -> [Vec<f64>; 2] {
+    pub(crate) fn left(&self, z: &[f64], y: &[f64], part: fn(f64) -> f64) -> [Vec<f64>; 2] {
         let mut equations: Vec<f64> = self.right.iter().map(|e| part(-e)).collect();
         let mut gradient: Vec<f64> = self.linear.iter().map(|c| part(*c)).collect();
         let UpperColumns { starts, rows, values } = &self.quadratic;
