@@ -142,7 +142,7 @@ impl Body {
 
     /// The distance of each degree of freedom from the foundation before loading; infinite without a foundation.
     #[must_use]
-    pub fn gap(&self) -> &[f64] {
+    pub(crate) fn gap(&self) -> &[f64] {
         &self.gap
     }
 

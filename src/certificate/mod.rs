@@ -114,7 +114,7 @@ impl Proof {
     /// # Errors
     ///
     /// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled.
-    pub fn of(scene: &Scene, witness: &[Contact]) -> Result<Self, SceneError> {
+    pub(crate) fn of(scene: &Scene, witness: &[Contact]) -> Result<Self, SceneError> {
         Self::of_held(scene, witness, &[], &[], &[])
     }
 

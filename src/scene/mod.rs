@@ -214,7 +214,7 @@ impl Scene {
     }
 
     /// Writes the gaps at positions in ascending order; `gaps` and `places` have the same length.
-    pub fn gaps(&self, places: &[f64], gaps: &mut [f64]) {
+    pub(crate) fn gaps(&self, places: &[f64], gaps: &mut [f64]) {
         match &self.foundation {
             Some(foundation) => foundation.depths(places, gaps),
             None => gaps.fill(f64::INFINITY),

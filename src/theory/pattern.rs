@@ -12,11 +12,11 @@ use crate::state::{Contact, SupportForce};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pattern {
     /// What each of its contacts is, in their order.
-    pub kinds: Vec<ContactKind>,
+    pub(crate) kinds: Vec<ContactKind>,
     /// Whether the ground holds the slope of the beam beside each support, to its left and to its right.
-    pub clamped: Vec<[bool; 2]>,
+    pub(crate) clamped: Vec<[bool; 2]>,
     /// Which of the supports pull the beam down.
-    pub pulls: Vec<bool>,
+    pub(crate) pulls: Vec<bool>,
     /// On which crest each of its contacts lies.
     crests: Vec<Crest>,
     /// Smooth pieces of the profile; where this is another number, their indices mean something else.
@@ -47,7 +47,7 @@ const HALF_A_WAVE: f64 = 0.5;
 
 /// A contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ContactKind {
+pub(crate) enum ContactKind {
     /// A point on the smooth piece of that index.
     Point(usize),
     /// The edge at which the smooth piece of that index starts, or a free end of the beam.
@@ -60,7 +60,7 @@ pub enum ContactKind {
 
 /// How a zone of contact ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ZoneEnd {
+pub(crate) enum ZoneEnd {
     /// Where the beam lifts off, on the smooth piece of that index.
     LiftOff(usize),
     /// At the support of that index.

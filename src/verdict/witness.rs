@@ -81,7 +81,7 @@ impl<'a> Witness<'a> {
 
     /// The scene.
     #[must_use]
-    pub fn scene(&self) -> &'a Scene {
+    pub(crate) fn scene(&self) -> &'a Scene {
         self.scene
     }
 
