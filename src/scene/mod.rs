@@ -240,13 +240,6 @@ impl Scene {
         }
     }
 
-    /// The change of the chord slope of `g` at `x`, as defined by [`Foundation::bend`]; zero without a foundation.
-    #[must_use]
-    pub fn bend(&self, x: f64, a: f64, b: f64, ends: [f64; 2]) -> f64 {
-        let bend = self.foundation.as_ref().map_or(0.0, |f| f.bend(x, a, b, ends));
-        self.beam.shape().map_or(bend, |shape| bend - shape.bend(x, a, b, ends))
-    }
-
     /// This scene in other units; `stiffness` is the unit of `EI`, which is `F L³ / U`.
     fn in_units(&self, scale: &Scale, stiffness: f64) -> Result<Self, SceneError> {
         let beam = self.beam.scaled(scale, stiffness)?;
