@@ -3,6 +3,7 @@
 
 use super::check::check;
 use super::exact::Exact;
+use super::giving::wrong;
 use super::list::{List, Node};
 use super::margin::{Condition, all, stopped, violated_conditions};
 use super::newton;
@@ -59,7 +60,10 @@ impl Exact {
         if !converged {
             return stopped(&given, &list).map(|condition| vec![condition]);
         }
-        Some(violated_conditions(&given, &list, &check(&given, &list), &self.pattern().pulls))
+        let checked = check(&given, &list);
+        // An elastic stop that pulls, or one that the beam has come down on, is no condition that is followed.
+        wrong(&given, &checked).is_empty().then_some(())?;
+        Some(violated_conditions(&given, &list, &checked, &self.pattern().pulls))
     }
 
     /// This solution with its contacts moved to their positions in `scene`, if that is an answer there in which each support has a
@@ -70,8 +74,8 @@ impl Exact {
         let scaled = scene.scaled().ok()?;
         let (given, list) = self.kept(scene)?;
         let checked = check(&given, &list);
-        if !checked.faults.is_empty() || !violated_conditions(&given, &list, &checked, &self.pattern().pulls).is_empty()
-        {
+        let holds = checked.faults.is_empty() && wrong(&given, &checked).is_empty();
+        if !holds || !violated_conditions(&given, &list, &checked, &self.pattern().pulls).is_empty() {
             return None;
         }
         let found = Candidate { list, checked, steps: 0, lists: 1, samples: 0, converged: true };
@@ -87,7 +91,8 @@ impl Exact {
         };
         let scaled = scene.scaled().ok()?;
         let checked = check(&given, &list);
-        let found = Candidate { list, checked, steps: 0, lists: 1, samples: 0, converged };
+        let wrong = wrong(&given, &checked);
+        let found = Candidate { list, checked, steps: 0, lists: 1, samples: 0, converged }.with(wrong);
         let stiffness = scaled.scene.beam().bending_stiffness();
         found.solved().then(|| Self::new(given, found, scaled.scale, stiffness))
     }
@@ -151,11 +156,13 @@ impl Exact {
         self.tried(scene).and_then(|(given, list, converged)| converged.then_some((given, list)))
     }
 
-    /// The list of this solution with its positions in `scene`, and whether Newton's method converged.
+    /// The list of this solution with its positions in `scene`, on the elastic stops that are pressed here, and whether Newton's method
+    /// converged.
     fn tried(&self, scene: &Scene) -> Option<(PiecewiseScene, List, bool)> {
         scene.on_rigid_ground("a list of contacts").ok()?;
         let scaled = scene.scaled().ok()?;
-        let given = PiecewiseScene::new(&scaled.scene);
+        let acts = self.acting();
+        let given = PiecewiseScene::with(&scaled.scene, |i| acts.get(i).copied().unwrap_or(true));
         let mut list = self.list_in(&given, &scaled.scale)?;
         let converged = newton::solve(&given, &mut list).converged;
         Some((given, list, converged))

@@ -47,7 +47,11 @@ pub(super) fn between(
     joint_at_end: f64,
 ) -> Option<Vec<Span>> {
     let is_free = [a, b].map(|end| end.hold == EndCondition::Free);
-    let way = if is_free == [true; 2] { Way::afloat(given, [a, b], None) } else { Way::of(given, &a, &b) };
+    let way = match is_free {
+        [true, true] => Way::afloat(given, [a, b], None),
+        [false, false] => Way::of(given, &a, &b),
+        [left, _] => Way::overhanging(given, [a, b], usize::from(!left)),
+    };
     let place = |side: usize| match is_free[side] {
         true => {
             let line = [way.levels[side], way.incline];

@@ -60,6 +60,23 @@ impl Way {
         Self::with(ends, profiles, bends, (true, [level; 2], 0.0))
     }
 
+    /// Of what hangs over on one side under an axial force: in its deflection from the tangent at its node where the slope of that is known.
+    ///
+    /// From another line the moment at the node would be the difference of two slopes over the length of the first part, which may be short.
+    pub(super) fn overhanging(given: &PiecewiseScene, ends: [End; 2], free: usize) -> Self {
+        let whole = Self::of(given, &ends[0], &ends[1]);
+        let held = 1 - free;
+        let bends = [0, 1].map(|i| whole.profiles[i][2] / given.cells[ends[i].cell].stiffness);
+        let slope = match ends[held].hold {
+            EndCondition::Edge { slope: [slope, _], .. } => slope,
+            EndCondition::Resting if whole.in_beam => whole.profiles[held][1],
+            _ => return whole,
+        };
+        let mut levels = whole.levels;
+        levels[free] = levels[held] + slope * (ends[free].x - ends[held].x);
+        Self { heights: whole.heights, ..Self::with(ends, whole.profiles, bends, (true, levels, slope)) }
+    }
+
     /// With `u''` at both ends.
     fn with(
         ends: [End; 2],

@@ -56,7 +56,7 @@ use crate::text::{Results, share_at_most};
 use crate::theory::Exact;
 use crate::witness::{ExactContacts, Witness};
 
-use self::summary::{ENERGY, apart, deflection_rounding, energy_size, flaw, is_unbent, shares};
+use self::summary::{ENERGY, apart, deflection_rounding, energy_size, flaw, is_unbent, rests_as_built, shares};
 
 pub use self::summary::Number;
 
@@ -309,7 +309,8 @@ impl Verdict {
     ) -> Self {
         let error = certificate.as_ref().map_or(f64::INFINITY, |c| {
             let size = answer.map_or(c.deflection, |(_, state)| state.deflection.magnitude());
-            if is_unbent(c) { 0.0 } else { c.deflection_error / size }
+            let rests = answer.is_some_and(|(scene, state)| rests_as_built(scene, state, c.deflection_error));
+            if is_unbent(c) || rests { 0.0 } else { c.deflection_error / size }
         });
         let known = certificate.as_ref().zip(answer);
         let worst = known.and_then(|(c, (scene, state))| {

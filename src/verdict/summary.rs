@@ -82,7 +82,23 @@ fn force_rounding(scene: &Scene, state: &ContactState) -> f64 {
 pub(super) fn deflection_rounding(scene: &Scene, state: &ContactState) -> f64 {
     let (length, stiffness) = (scene.beam().length(), scene.beam().bending_stiffness());
     let free = moment_rounding(scene) / stiffness * length * length / 48.0;
-    ROUNDING * state.deflection.magnitude() + free + f64::MIN_POSITIVE
+    ROUNDING * state.deflection.magnitude() + free + as_built(scene, state) + f64::MIN_POSITIVE
+}
+
+/// Of a beam that lies as it was built but for rounding, the rounding of where its supports are: of the terms that the depth of its initial
+/// shape is a sum of there, and of their levels. Of any other beam nothing.
+fn as_built(scene: &Scene, state: &ContactState) -> f64 {
+    let Some(shape) = scene.beam().shape() else { return 0.0 };
+    let supports = scene.beam().all_supports();
+    let size = supports.iter().map(|support| shape.magnitude_at(support.at) + support.level.abs());
+    let rounding = f64::EPSILON * size.fold(0.0, f64::max);
+    if state.deflection.magnitude() <= rounding { rounding } else { 0.0 }
+}
+
+/// Whether an error is nothing but that.
+pub(super) fn rests_as_built(scene: &Scene, state: &ContactState, error: f64) -> bool {
+    let rounding = as_built(scene, state);
+    0.0 < rounding && error <= rounding
 }
 
 /// The error bound of each number in the summary, over the largest value of that quantity.
@@ -99,8 +115,11 @@ pub(super) fn shares<'a>(
     // A load directly on a support is known exactly. It hides nothing of the beam's own reaction except the last digits of the sum.
     let forces: Vec<f64> = state.supports.iter().map(|s| (s.force - scene.standing_on(s.at)).abs()).collect();
     let contact = state.contact_force();
+    // What supports that are off by rounding do to the beam: `48 EI v / l³`.
+    let (length, built) = (scene.beam().length(), as_built(scene, state));
+    let pushed = 48.0 * built / length * scene.beam().bending_stiffness() / length / length;
     let sum = scene.bending_load().magnitude(scene.beam().length()) + forces.iter().sum::<f64>() + contact;
-    let rounding = ROUNDING * sum + force_rounding(scene, state);
+    let rounding = ROUNDING * sum + force_rounding(scene, state) + pushed;
     let largest = forces.into_iter().fold(0.0, f64::max);
     let brackets = state.supports.iter().zip(&certificate.reactions).enumerate();
     let supports = brackets.map(move |(k, (support, bracket))| {
@@ -108,12 +127,12 @@ pub(super) fn shares<'a>(
         (Number::Support(k), share(support.force, *bracket, rounding + last_digits, largest))
     });
     let Certificate { energy_lower, energy_upper, contact_force, deflection_max, .. } = *certificate;
-    let energy =
-        share(state.energy, Some([energy_lower, energy_upper]), ENERGY * energy_size(scene, state), state.energy.abs());
+    let of_energy = ENERGY * energy_size(scene, state) + pushed * built;
+    let energy = share(state.energy, Some([energy_lower, energy_upper]), of_energy, state.energy.abs());
     let v = &state.deflection;
     let deflection = share(v.max, deflection_max, deflection_rounding(scene, state), v.magnitude());
     let at_rest = if is_unbent(certificate) { moment_rounding(scene) } else { 0.0 };
-    let (m, of_moments) = (&state.moment, ENERGY * state.moment.magnitude() + at_rest);
+    let (m, of_moments) = (&state.moment, ENERGY * state.moment.magnitude() + at_rest + pushed * length);
     let [greatest, least] = certificate.moments_beside(state).unwrap_or([None; 2]);
     let outside = |own: f64, bracket: Option<[f64; 2]>| {
         let off = bracket.map_or(0.0, |[least, most]| (least - own).max(own - most));

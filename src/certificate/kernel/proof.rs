@@ -139,8 +139,13 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
         if enclosed.is_hinge(node.x) && spans[i].is_none() {
             cut_off.hinge(enclosed, node.x, moments[i].0[0]);
         }
-        // Loads in balance need no couple.
-        let turns = turns_about.is_some() || enclosed.hangs_on(nodes);
+        // Loads in balance need no couple. The couple `C` that a single place lacks is left to the tension and costs `C |w'|`, less than a moment
+        // in a hinge does.
+        let alone = 0.0 < enclosed.tension && enclosed.supports.is_empty() && nodes.len() == 1;
+        let turns = turns_about.is_some() || enclosed.hangs_on(nodes) || alone;
+        if alone {
+            cut_off.hinge(enclosed, node.x, jump);
+        }
         let [more, energy] = at_node(enclosed, node, [force, jump], turns, &mut cut_off);
         (gap, turned) = (gap + more, turned + energy);
     }

@@ -277,18 +277,24 @@ impl Span {
         if self.hung.is_none() || curves.len() < 2 {
             return Some(cost);
         }
-        for (i, ends) in [(0, [nodes[0], None]), (curves.len() - 1, [None, nodes[1]])] {
-            if ends == [None; 2] {
-                continue;
-            }
-            let [from, to] = curves[i].0;
-            let (part, width) = (Self { from, to, ..self.clone() }, Interval::length(from, to));
-            let lift = clearance::lift(enclosed, &part, &curves[i..=i], ends)?;
+        let all = curves.len();
+        let sides = [(true, [nodes[0], None]), (false, [None, nodes[1]])];
+        for (left, ends) in sides.into_iter().filter(|(_, ends)| *ends != [None; 2]) {
+            // Over a part that is next to nothing all is rounding.
+            let (lift, beside, width) = [1, 2, 3].into_iter().filter(|count| *count < all).find_map(|count| {
+                let beside = if left { 0..count } else { all - count..all };
+                let [from, to] = [curves[beside.start].0[0], curves[beside.end - 1].0[1]];
+                let part = Self { from, to, ..self.clone() };
+                let lift = clearance::lift(enclosed, &part, &curves[beside.clone()], ends)?;
+                Some((lift, beside, Interval::length(from, to)))
+            })?;
             let bent = lift.derivative().derivative();
             let bent = bent.integral_of_product(&bent, width).not_negative() * Interval::exact(enclosed.stiffest);
             cost = cost + enclosed.lifted(bent, &lift, width).sqrt();
-            let [left, right] = curves[i].1;
-            curves[i].1 = [left.minus(&lift), right.minus(&lift.shifted(width))];
+            let start = curves[beside.start].0[0];
+            for (ends, known) in &mut curves[beside] {
+                *known = [0, 1].map(|i| known[i].minus(&lift.shifted(Interval::length(start, ends[i]))));
+            }
         }
         Some(cost)
     }

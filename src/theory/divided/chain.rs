@@ -139,8 +139,7 @@ impl Chain<'_> {
     pub(super) fn solve(&self) -> Option<(Vec<[[f64; 4]; 2]>, Answer)> {
         let Rows { mut rows, right, at } = self.rows();
         let axial = self.parts[0].tense.map(|tense| tense.force);
-        // Under an axial force towards a free end.
-        let meeting = if axial.is_some() && self.beyond[0].is_some() { at[0][1] } else { rows.len() - 1 };
+        let meeting = if axial.is_some_and(|force| self.ends_at_left(force)) { at[0][1] } else { rows.len() - 1 };
         match axial {
             Some(_) => factor_under_tension(&mut rows, meeting, |row| row.theta, |row| row.left),
             None => factor(&mut rows, |row| row.theta),
@@ -177,6 +176,18 @@ impl Chain<'_> {
             [[hs[0], a1, ns[0], a3], [hs[1], b1, ns[1], b3]]
         };
         Some(((0..n).map(state).collect(), answer))
+    }
+
+    /// Whether elimination under an axial force goes towards the left end: a free one, or under tension that of two nodes with the shorter part
+    /// beside it. At the other node the moment is a difference of slopes over the length of the part beside it, at this one over that of the
+    /// span.
+    fn ends_at_left(&self, force: f64) -> bool {
+        let length = |part: Option<&Part>| part.map_or(0.0, Part::length);
+        match self.beyond {
+            [Some(_), _] => true,
+            [None, Some(_)] => false,
+            [None, None] => 0.0 < force && length(self.parts.first()) < length(self.parts.last()),
+        }
     }
 
     /// The rows at which hinges are, and `n` there.

@@ -93,9 +93,9 @@ fn the_certificate_moves_no_place() {
 const KERNEL: &str = "src/certificate/kernel";
 /// Of these, 207 are there for elastic foundations of many readings, stretches that are walked along, groups of pressed parts and what these carry, 22 for the
 /// moments of a pair on one, 37 for couples as loads, 235 for a bending stiffness in steps and joints, 60 for elastic foundations in steps and what changes
-/// above them, 330 for supports that give and hinges, and 510 for axial forces: spans of parts, short ones among them, hinges,
+/// above them, 330 for supports that give and hinges, and 520 for axial forces: spans of parts, short ones among them, hinges,
 /// strings, and the proof of what is left of buckling.
-const MOST_LINES: usize = 2870;
+const MOST_LINES: usize = 2880;
 
 /// The files of the kernel without their tests.
 fn kernel() -> BTreeMap<String, String> {

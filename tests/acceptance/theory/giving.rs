@@ -108,6 +108,23 @@ fn springs_alone_hold_a_beam() {
     }
 }
 
+/// What was lifted does not pull when contacts are carried over to another scene, and the beam does not go through it.
+#[test]
+fn a_stop_that_is_lifted_stays_lifted_in_a_scene_beside() {
+    let of = |load: f64| {
+        let stop = "{ at = 0 }, { at = 5, stiffness = 100.0, pushes_only = true, level = 0.5 }, { at = 10 }";
+        super::general::scene(&beam(stop, &format!("[load]\nuniform = {load:?}\n")))
+    };
+    let sag = |scene: &palkki::scene::Scene| palkki::theory::solve(scene).expect("an answer").deflection(5.0);
+    let lifted = 0.5 / sag(&of(0.001)) * 0.001;
+    let [near, beside, beyond] = [0.8, 0.9, 1.1].map(|share| of(share * lifted));
+    let exact = palkki::theory::solve(&near).expect("an answer");
+    let moved = exact.moved(&beside).expect("the same contacts");
+    assert_eq!(moved.state.supports[1].force.to_bits(), 0.0_f64.to_bits());
+    super::general::check("deflection", moved.deflection(5.0), sag(&beside));
+    assert!(exact.moved(&beyond).is_none(), "it comes down on the stop");
+}
+
 /// A stop with a play `d` below the middle of a beam on two supports: `R = (5 q l⁴/384 EI − d)/(l³/48 EI + 1/k)`, or nothing.
 #[test]
 fn a_stop_is_pressed_beyond_its_play() {

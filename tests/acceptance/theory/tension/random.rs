@@ -183,10 +183,6 @@ fn random(i: u32) -> String {
     }
 }
 
-/// Numbers of scenes that are not certified, under tensions of 10⁵ `EI/l²` and more, where moments over supports have lost more than the four
-/// digits that are allowed to rounding, or free.
-const OPEN: &[u32] = &[59, 97, 119, 280, 327, 353, 484, 486];
-
 /// Those of some scenes that are not certified, with the verdict; of none that is solved are the laws off by as much as `laws`.
 #[track_caller]
 fn open(count: u32, text_of: fn(u32) -> String, laws: f64) -> Vec<(u32, String)> {
@@ -206,14 +202,13 @@ fn open(count: u32, text_of: fn(u32) -> String, laws: f64) -> Vec<(u32, String)>
     open
 }
 
-/// Exact and certified but for some that are known, and none against the laws.
+/// All are exact and certified, and none is against the laws.
 #[test]
 fn random_beams_under_an_axial_force() {
     /// Of so many cells.
     const LAWS: f64 = 1e-8;
-    let count = sample_of(600_u32);
-    let mut open = open(count, random, LAWS);
-    open.retain(|(i, _)| !OPEN.contains(i));
+    let count = sample_of(1000_u32);
+    let open = open(count, random, LAWS);
     assert!(open.is_empty(), "{} of {count}\n{open:#?}", open.len());
 }
 
@@ -313,13 +308,13 @@ fn giving(i: u32) -> String {
     }
 }
 
-/// All but a few are exact and certified, and none is against the laws.
+/// All but one in two hundred, and one besides, are exact and certified, and none is against the laws.
 #[test]
 fn random_beams_on_what_gives_under_an_axial_force() {
     /// Of so many cells.
     const LAWS: f64 = 1e-7;
     let count = sample_of(400_u32);
     let open = open(count, giving, LAWS);
-    let most = 1 + usize::try_from(count / 50).unwrap_or(0);
+    let most = 1 + usize::try_from(count / 200).unwrap_or(0);
     assert!(open.len() <= most, "{} of {count}\n{open:#?}", open.len());
 }
