@@ -6,6 +6,7 @@
 //! ```
 
 use super::PiecewiseScene;
+use crate::scene::Spring;
 
 /// A support that gives.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,6 +23,20 @@ pub(in crate::theory) struct AtSpring {
     pub(in crate::theory) pushes_only: bool,
     /// True if it acts: one that only pushes does so where it is pressed.
     pub(in crate::theory) acts: bool,
+}
+
+impl AtSpring {
+    /// Among the breakpoints at `places`, over this stiffness of the beam.
+    pub(in crate::theory) fn of(spring: &Spring, places: &[f64], stiffness: f64, acts: bool) -> Self {
+        Self {
+            breakpoint: places.partition_point(|&x| x < spring.at),
+            stiffness: spring.stiffness / stiffness,
+            level: spring.deflection,
+            turning: spring.turning.map(|[k, slope]| [k / stiffness, slope]),
+            pushes_only: spring.pushes_only,
+            acts,
+        }
+    }
 }
 
 impl PiecewiseScene {
@@ -72,7 +87,8 @@ impl PiecewiseScene {
     /// What acts downwards at breakpoint `i` on a beam that touches there.
     pub(in crate::theory) fn force_on(&self, i: usize) -> f64 {
         let (at, spring) = (&self.breakpoints[i], self.spring_at(i));
-        spring.map_or(at.force, |spring| at.force - spring.stiffness * (at.depth - spring.level))
+        let force = at.acts.force();
+        spring.map_or(force, |spring| force - spring.stiffness * (at.depth - spring.level))
     }
 
     /// The same exactly at `x`, which most likely lies in cell `near`.

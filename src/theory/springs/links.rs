@@ -122,7 +122,7 @@ impl Beam<'_> {
     /// By what `V` and `M` jump at node `i`, but for what a support does; under an axial force `T` by the slope besides from which `h'` counts.
     pub(super) fn acts(&self, i: usize) -> [f64; 2] {
         let at = self.breakpoint(i).map(|breakpoint| self.given.breakpoints[breakpoint]);
-        let [force, couple] = at.map_or([0.0; 2], |at| [-at.force, -at.couple]);
+        let [force, couple] = at.map_or([0.0; 2], |at| [-at.acts.force(), -at.acts.couple()]);
         if self.given.tension == 0.0 {
             return [force, couple];
         }
