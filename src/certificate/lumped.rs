@@ -77,7 +77,7 @@ impl Lumped {
     /// [`NotLumped`]: a force that is none, places that are not the inner nodes of equal intervals, or a beam of which statics does not say how it
     /// bends: of that a [`Witness`](crate::Witness) knows more.
     pub fn new(scene: &Scene, forces: impl IntoIterator<Item = (f64, f64)>) -> Result<Self, NotLumped> {
-        scene.bends_under_forces("a check under nodal loads")?;
+        scene.has_to_bend_under_forces("a check under nodal loads")?;
         Self::bent_by(scene, forces, |lumped, pressing| {
             in_intervals(lumped, Balance::Held, |enclosed| deflection(pressing, enclosed, &[]))
         })

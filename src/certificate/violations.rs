@@ -64,7 +64,7 @@ pub struct Violation {
 /// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled, and [`SceneError::NotKnown`] of forces that alone do not
 /// say how the beam bends: of these a [`Witness`](crate::Witness) knows more.
 pub fn violations(scene: &Scene, given: &ContactLoad) -> Result<Vec<Violation>, SceneError> {
-    scene.bends_under_forces("a check of contact forces")?;
+    scene.has_to_bend_under_forces("a check of contact forces")?;
     violations_by(scene, given, None)
 }
 

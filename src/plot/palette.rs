@@ -7,7 +7,7 @@ use std::fmt;
 
 /// A colour: red, green, blue.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Color(pub(crate) u8, pub(crate) u8, pub(crate) u8);
+pub struct Color(pub u8, pub u8, pub u8);
 
 /// What each colour becomes in dark surroundings. The paper is a property that a page may set to its own.
 const DARK: [(Color, &str); 12] = [
