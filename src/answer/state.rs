@@ -111,7 +111,7 @@ impl Regime {
 
     /// The regime of a list of contacts.
     #[must_use]
-    pub fn of(contacts: &[Contact]) -> Self {
+    pub(crate) fn of(contacts: &[Contact]) -> Self {
         match contacts {
             [] => Self::None,
             _ if contacts.iter().any(|c| c.from < c.to) => Self::Zone,
@@ -234,7 +234,7 @@ pub struct ContactState {
 impl Standing {
     /// The equilibrium of a beam in this state, with the resultant of its loads.
     #[must_use]
-    pub fn of(state: &ContactState, resultant: Resultant, motion: Option<Motion>) -> Self {
+    pub(crate) fn of(state: &ContactState, resultant: Resultant, motion: Option<Motion>) -> Self {
         /// Relative accuracy of the position of a contact.
         const ROUNDING: f64 = 1e-12;
         let carries = state.supports.iter().filter(|s| !s.pushes_only || 0.0 < s.force);

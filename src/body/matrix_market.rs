@@ -33,15 +33,15 @@ const COMMENTS: [char; 3] = ['%', '#', '*'];
 
 /// An error in a matrix, with its location.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Wrong {
+pub(crate) struct Wrong {
     /// Line, from 1.
-    pub line: usize,
+    pub(crate) line: usize,
     /// The line. For an entry that is reported later, a text built from its numbers.
-    pub text: String,
+    pub(crate) text: String,
     /// The bytes of the line to which the error refers.
-    pub marked: Range<usize>,
+    pub(crate) marked: Range<usize>,
     /// The error.
-    pub problem: BodyProblem,
+    pub(crate) problem: BodyProblem,
 }
 
 /// The bytes of a line, and the error in them.
@@ -69,7 +69,7 @@ enum Form {
 
 /// A matrix that is being read.
 #[derive(Debug, Default)]
-pub struct Reader {
+pub(crate) struct Reader {
     sums_duplicates: bool,
     line: usize,
     form: Option<Form>,
@@ -86,7 +86,7 @@ pub struct Reader {
 impl Reader {
     /// A reader that adds duplicate entries, or rejects them.
     #[must_use]
-    pub fn new(sums_duplicates: bool) -> Self {
+    pub(crate) fn new(sums_duplicates: bool) -> Self {
         Self { sums_duplicates, ..Self::default() }
     }
 
@@ -95,7 +95,7 @@ impl Reader {
     /// # Errors
     ///
     /// [`Wrong`].
-    pub fn line(&mut self, text: &str) -> Result<(), Wrong> {
+    pub(crate) fn line(&mut self, text: &str) -> Result<(), Wrong> {
         self.line += 1;
         let text = text.trim_end();
         self.read(text).map_err(|(marked, problem)| Wrong { line: self.line, text: text.to_owned(), marked, problem })
@@ -178,7 +178,7 @@ impl Reader {
     /// # Errors
     ///
     /// [`Wrong`].
-    pub fn end(mut self) -> Result<Profile, Wrong> {
+    pub(crate) fn end(mut self) -> Result<Profile, Wrong> {
         let last = self.line.max(1);
         let at_end = |problem| Wrong { line: last, text: String::new(), marked: 0..0, problem };
         let symmetric = match self.form {

@@ -101,12 +101,6 @@ impl Body {
         Ok(Self { title: String::new(), units: Units::default(), kind, gap, reach, load, program })
     }
 
-    /// The kind of the given matrix.
-    #[must_use]
-    pub fn kind(&self) -> Kind {
-        self.kind
-    }
-
     /// The name of the paper's method to which the program corresponds.
     #[must_use]
     pub fn method(&self) -> &'static str {
@@ -142,7 +136,7 @@ impl Body {
 
     /// The distance of each degree of freedom from the foundation before loading; infinite without a foundation.
     #[must_use]
-    pub fn gap(&self) -> &[f64] {
+    pub(crate) fn gap(&self) -> &[f64] {
         &self.gap
     }
 

@@ -20,7 +20,7 @@ impl Foundation {
     /// ends of the two chords. At a step of the profile the smallest difference in them matters.
     #[must_use]
     #[inline]
-    pub fn bend(&self, x: f64, a: f64, b: f64, ends: [f64; 2]) -> f64 {
+    pub(crate) fn bend(&self, x: f64, a: f64, b: f64, ends: [f64; 2]) -> f64 {
         match self {
             Self::Flat { .. } => 0.0,
             Self::Polynomial { coefficients } => polynomial::bend(coefficients, x, a, b),

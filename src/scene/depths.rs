@@ -6,7 +6,7 @@ use super::foundation::between;
 impl Foundation {
     /// Writes `u(x)` at positions in ascending order, each as [`depth`](Self::depth) computes it \[length\]. `depths` and
     /// `places` have the same length.
-    pub fn depths(&self, places: &[f64], depths: &mut [f64]) {
+    pub(crate) fn depths(&self, places: &[f64], depths: &mut [f64]) {
         match self {
             Self::Flat { depth } => depths.fill(*depth),
             Self::Polynomial { coefficients } => {

@@ -52,7 +52,7 @@ impl Grid {
 
     /// `N`, the number of intervals.
     #[must_use]
-    pub fn intervals(&self) -> usize {
+    pub(crate) fn intervals(&self) -> usize {
         self.intervals
     }
 
@@ -164,7 +164,7 @@ impl Grid {
 
     /// Writes `x_i` for `i = first, first + 1, …` until `places` is full.
     #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ intervals")]
-    pub fn places(&self, first: usize, places: &mut [f64]) {
+    pub(crate) fn places(&self, first: usize, places: &mut [f64]) {
         for (k, batch) in places.chunks_mut(BATCH).enumerate() {
             let begin = (first + k * BATCH) as f64;
             // Within a batch the index is a small integer, which converts to a floating-point number at no cost.

@@ -85,18 +85,6 @@ impl Scene {
         Self::built(beam, load, foundation, Some(stiffness))
     }
 
-    /// The same scene on an elastic foundation whose stiffness varies in steps, `(x_i, k_i)` \[length, force / length²\]. Where
-    /// `k_i = 0` there is no foundation.
-    ///
-    /// # Errors
-    ///
-    /// No steps, a first step that does not begin at 0, steps that are not in ascending order or begin at the end of the beam, a
-    /// negative stiffness, and a stiffness that is 0 everywhere.
-    pub fn on_springs_in_steps(&self, steps: Vec<[f64; 2]>) -> Result<Self, SceneError> {
-        let stiffness = GroundStiffness::in_steps(steps, self.beam.length())?;
-        Ok(Self { stiffness: Some(stiffness), ..self.clone() })
-    }
-
     /// `k` of an elastic foundation \[force / length²\], the greatest value if it varies in steps; [`None`] if the foundation is
     /// rigid or absent.
     #[must_use]

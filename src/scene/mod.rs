@@ -214,7 +214,7 @@ impl Scene {
     }
 
     /// Writes the gaps at positions in ascending order; `gaps` and `places` have the same length.
-    pub fn gaps(&self, places: &[f64], gaps: &mut [f64]) {
+    pub(crate) fn gaps(&self, places: &[f64], gaps: &mut [f64]) {
         match &self.foundation {
             Some(foundation) => foundation.depths(places, gaps),
             None => gaps.fill(f64::INFINITY),
@@ -238,13 +238,6 @@ impl Scene {
                 }
             }
         }
-    }
-
-    /// The change of the chord slope of `g` at `x`, as defined by [`Foundation::bend`]; zero without a foundation.
-    #[must_use]
-    pub fn bend(&self, x: f64, a: f64, b: f64, ends: [f64; 2]) -> f64 {
-        let bend = self.foundation.as_ref().map_or(0.0, |f| f.bend(x, a, b, ends));
-        self.beam.shape().map_or(bend, |shape| bend - shape.bend(x, a, b, ends))
     }
 
     /// This scene in other units; `stiffness` is the unit of `EI`, which is `F L³ / U`.

@@ -41,7 +41,7 @@ impl Scene {
     /// # Errors
     ///
     /// A [`PathError`] that lists the numbers that can be varied.
-    pub fn quantity(&self, path: &str) -> Result<Quantity, PathError> {
+    pub(crate) fn quantity(&self, path: &str) -> Result<Quantity, PathError> {
         if path == Quantity::Length.to_string() {
             return Err(PathError::Length);
         }

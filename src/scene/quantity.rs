@@ -93,7 +93,7 @@ pub enum ProfileKey {
 
 /// The physical dimension of a number. Numbers of the same kind can be changed by the same amount.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub(crate) enum Kind {
     /// A position, a depth or a level.
     Length,
     /// A force.
@@ -115,7 +115,7 @@ pub enum Kind {
 impl Quantity {
     /// The dimension of the quantity; [`None`] if it is not a single number.
     #[must_use]
-    pub fn kind(self) -> Option<Kind> {
+    pub(crate) fn kind(self) -> Option<Kind> {
         Some(match self {
             Self::BendingStiffness | Self::StepStiffness(_) => Kind::BendingStiffness,
             Self::GroundStiffness | Self::GroundStepStiffness(_) => Kind::GroundStiffness,

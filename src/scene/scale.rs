@@ -20,7 +20,7 @@ pub struct Scale {
 impl Scale {
     /// Unit of moment, `F L`.
     #[must_use]
-    pub fn moment(&self) -> f64 {
+    pub(crate) fn moment(&self) -> f64 {
         self.force * self.length
     }
 

@@ -240,7 +240,7 @@ impl Scene {
     }
 
     /// The rigid compression-only supports at which the beam may touch, from left to right.
-    pub fn bearings(&self) -> impl Iterator<Item = Bearing> + '_ {
+    pub(crate) fn bearings(&self) -> impl Iterator<Item = Bearing> + '_ {
         let own = |at: f64| self.beam().shape().map_or(0.0, |shape| shape.depth(at));
         self.beam()
             .bearings()

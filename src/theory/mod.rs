@@ -22,6 +22,7 @@
 //!
 //! **Invariant:** nothing here knows a grid, a method of discretisation or a solver of the quadratic program (32).
 
+mod acts;
 mod asked;
 mod bernstein;
 mod breakpoints;
@@ -72,7 +73,8 @@ pub use derivatives::{By, ContactDerivative, Derivative, Missing};
 pub use exact::{Exact, Sample};
 pub use free_spans::FreeSpan;
 pub(crate) use margin::Condition;
-pub use pattern::{ContactKind, Pattern, ZoneEnd};
+pub use pattern::Pattern;
+pub(crate) use pattern::{ContactKind, ZoneEnd};
 pub use solve::{TheoryError, solve, solve_near};
 pub use spread::Spread;
 pub use violation::Violation;

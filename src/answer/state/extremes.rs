@@ -32,7 +32,7 @@ impl Extremes {
     /// If the extreme value occurs over a stretch, the position is the middle of the first such stretch, otherwise the first
     /// occurrence.
     #[must_use]
-    pub fn of<I: IntoIterator<Item = (f64, f64), IntoIter: Clone>>(values: I) -> Self {
+    pub(crate) fn of<I: IntoIterator<Item = (f64, f64), IntoIter: Clone>>(values: I) -> Self {
         let values = values.into_iter();
         let (max, min) = values
             .clone()
@@ -65,7 +65,7 @@ impl Extremes {
 
     /// Includes one more value if it clearly exceeds the current extremes.
     #[must_use]
-    pub fn beyond(self, at: f64, value: f64) -> Self {
+    pub(crate) fn beyond(self, at: f64, value: f64) -> Self {
         let equal = Self::EQUAL * self.magnitude();
         if self.max + equal < value {
             Self { max: value, max_at: at, ..self }

@@ -76,14 +76,14 @@ impl Interval {
 
     /// A number in the middle; zero if an end is infinite.
     #[must_use]
-    pub fn middle(self) -> f64 {
+    pub(crate) fn middle(self) -> f64 {
         let middle = 0.5 * self.lo + 0.5 * self.hi;
         if middle.is_finite() { middle } else { 0.0 }
     }
 
     /// The largest magnitude in it.
     #[must_use]
-    pub fn magnitude(self) -> f64 {
+    pub(crate) fn magnitude(self) -> f64 {
         self.lo.abs().max(self.hi.abs())
     }
 
@@ -143,7 +143,7 @@ impl Interval {
     }
 
     /// What lies in both: of two enclosures of one number a better one.
-    pub fn meet(self, other: Self) -> Self {
+    pub(crate) fn meet(self, other: Self) -> Self {
         Self { lo: self.lo.max(other.lo), hi: self.hi.min(other.hi) }
     }
 }

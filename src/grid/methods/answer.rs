@@ -36,7 +36,7 @@ impl Nodal {
     /// compression-only supports. The deflection is `v = g − h`. Where the foundation lies so deep that this difference has few
     /// digits left, or none, it is `v = C t` by statics.
     #[must_use]
-    pub fn new(
+    pub(crate) fn new(
         discrete: &Discrete,
         discretisation: Discretisation,
         mut clearance: Vec<f64>,
@@ -105,7 +105,7 @@ impl Nodal {
 
     /// The state at rest, without contact forces, of a beam that balances on one contact, until its position is known.
     #[must_use]
-    pub fn resting(discrete: &Discrete, discretisation: Discretisation) -> Self {
+    pub(crate) fn resting(discrete: &Discrete, discretisation: Discretisation) -> Self {
         let nothing = || vec![0.0; discrete.nodes().len()];
         let stop_force = vec![0.0; discrete.supports().stops().len()];
         Self { discretisation, deflection: nothing(), clearance: nothing(), contact_force: nothing(), stop_force }
@@ -125,7 +125,7 @@ const NO_FORCE: f64 = 1e-12;
 
 /// The beam on its supports under nodal loads, without a foundation: `v = C q`, and no quadratic program to solve.
 #[must_use]
-pub fn free_beam(discrete: &Discrete, discretisation: Discretisation) -> Nodal {
+pub(crate) fn free_beam(discrete: &Discrete, discretisation: Discretisation) -> Nodal {
     let nothing = vec![0.0; discrete.nodes().len()];
     let deflection = program::deflection(discrete, &nothing, discretisation);
     let clearance = discrete.clearances(&deflection);

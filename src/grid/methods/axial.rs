@@ -84,7 +84,7 @@ impl Discrete {
     /// # Errors
     ///
     /// [`SceneError::Unstable`] if the discrete beam buckles, although the beam of the scene does not.
-    pub fn check_compression(&self, discretisation: Discretisation) -> Result<(), SceneError> {
+    pub(crate) fn check_compression(&self, discretisation: Discretisation) -> Result<(), SceneError> {
         let &Self { tension, intervals, .. } = self;
         let is_long = || self.pull() <= -PI * PI && discretisation == Discretisation::BeamElements;
         let bears = || held_beam::on_supports(&self.basic(self.loads.clone()), discretisation).is_ok();

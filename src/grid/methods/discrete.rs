@@ -109,7 +109,7 @@ impl Discrete {
 
     /// The settlement under a unit force of whatever is below a node; zero at a rigid compression-only support.
     #[must_use]
-    pub fn give(&self, node: usize) -> f64 {
+    pub(crate) fn give(&self, node: usize) -> f64 {
         match self.supports.bearings() {
             [] => self.grid.give(&self.ground, node, |_| false),
             _ if self.supports.pushing(node).is_some() => 0.0,
@@ -136,7 +136,7 @@ impl Discrete {
 
     /// Whether the foundation is elastic.
     #[must_use]
-    pub fn gives(&self) -> bool {
+    pub(crate) fn gives(&self) -> bool {
         !self.ground.is_empty()
     }
 
@@ -154,7 +154,7 @@ impl Discrete {
 
     /// All nodes except the ends of the beam that have a support.
     #[must_use]
-    pub fn nodes(&self) -> Range<usize> {
+    pub(crate) fn nodes(&self) -> Range<usize> {
         self.supports.nodes()
     }
 
@@ -196,7 +196,7 @@ impl Discrete {
 
     /// Clearances `h = g − v` at [`nodes`](Self::nodes).
     #[must_use]
-    pub fn clearances(&self, deflection: &[f64]) -> Vec<f64> {
+    pub(crate) fn clearances(&self, deflection: &[f64]) -> Vec<f64> {
         self.depths.iter().zip(deflection).map(|(u, v)| u - v).collect()
     }
 

@@ -35,8 +35,8 @@ pub(crate) mod supports;
 mod touching;
 mod turns;
 
-pub(crate) use answer::contact_state;
-pub use answer::{Nodal, free_beam};
+pub use answer::Nodal;
+pub(crate) use answer::{contact_state, free_beam};
 pub use discrete::Discrete;
 pub use force::flexibility;
 pub(crate) use rigid::{balanced, single_contact};

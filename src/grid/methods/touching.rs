@@ -89,7 +89,7 @@ impl Discrete {
 
     /// Number of places at which the beam may be in contact and no support holds it.
     #[must_use]
-    pub fn unknowns(&self) -> usize {
+    pub(crate) fn unknowns(&self) -> usize {
         self.touchable_count() + self.supports().stops().len()
     }
 

@@ -4,7 +4,7 @@
 ///
 /// [`push`](Self::push) eliminates each row as it arrives, from the first to the last; [`solve`](Self::solve) substitutes back.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Band<const W: usize> {
+pub(crate) struct Band<const W: usize> {
     /// `u_i,i+1 … u_i,i+W`: the entries above the diagonal, divided by the pivot.
     above: Vec<[f64; W]>,
     /// The right-hand side after elimination, divided by the pivot.
@@ -15,13 +15,13 @@ pub struct Band<const W: usize> {
 
 /// Row `i` of a symmetric matrix with its right-hand side.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Row<const W: usize> {
+pub(crate) struct Row<const W: usize> {
     /// `a_ii`.
-    pub diagonal: f64,
+    pub(crate) diagonal: f64,
     /// `a_i,i+1 … a_i,i+W`; zero beyond the last column.
-    pub above: [f64; W],
+    pub(crate) above: [f64; W],
     /// `r_i`.
-    pub right: f64,
+    pub(crate) right: f64,
 }
 
 /// A pivot is not positive, or a right-hand side is not finite.
@@ -49,7 +49,7 @@ impl<const W: usize> Band<W> {
     ///
     /// [`NotPositiveDefinite`] if its pivot is not positive, or its right-hand side is not finite.
     #[inline]
-    pub fn push(&mut self, row: Row<W>) -> Result<(), NotPositiveDefinite> {
+    pub(crate) fn push(&mut self, row: Row<W>) -> Result<(), NotPositiveDefinite> {
         let taken = self.taken[0];
         let pivot = row.diagonal - taken.diagonal;
         let rest = row.right - taken.right;
@@ -85,7 +85,7 @@ impl<const W: usize> Band<W> {
 
     /// The solution `x`.
     #[must_use]
-    pub fn solve(self) -> Vec<f64> {
+    pub(crate) fn solve(self) -> Vec<f64> {
         let mut x = self.right;
         let mut behind = [0.0; W];
         for (x, above) in x.iter_mut().zip(&self.above).rev() {

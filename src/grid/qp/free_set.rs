@@ -49,13 +49,13 @@ impl FreeSet {
     }
 
     /// Frees the variables of a range.
-    pub fn release(&mut self, range: Range<usize>) {
+    pub(crate) fn release(&mut self, range: Range<usize>) {
         self.free[range].fill(true);
     }
 
     /// The variables of a range as a separate set.
     #[must_use]
-    pub fn part(&self, range: Range<usize>) -> Self {
+    pub(crate) fn part(&self, range: Range<usize>) -> Self {
         Self { free: self.free[range].to_vec() }
     }
 
@@ -65,7 +65,7 @@ impl FreeSet {
     }
 
     /// The free variables of a range, ascending.
-    pub fn within(&self, range: Range<usize>) -> impl Iterator<Item = usize> + '_ {
+    pub(crate) fn within(&self, range: Range<usize>) -> impl Iterator<Item = usize> + '_ {
         let start = range.start;
         let chunks = self.free[range].chunks(STRIDE).enumerate().filter(|(_, chunk)| any(chunk));
         chunks.flat_map(move |(c, chunk)| (0..chunk.len()).filter(|&k| chunk[k]).map(move |k| start + c * STRIDE + k))
@@ -73,12 +73,12 @@ impl FreeSet {
 
     /// The number of free variables in a range.
     #[must_use]
-    pub fn count(&self, range: Range<usize>) -> usize {
+    pub(crate) fn count(&self, range: Range<usize>) -> usize {
         self.free[range].iter().filter(|free| **free).count()
     }
 
     /// The free variables before `x_end`, descending.
-    pub fn before(&self, end: usize) -> impl Iterator<Item = usize> + '_ {
+    pub(crate) fn before(&self, end: usize) -> impl Iterator<Item = usize> + '_ {
         let chunks = self.free[..end].rchunks(STRIDE).scan(end, |end, chunk| {
             *end -= chunk.len();
             Some((*end, chunk))
@@ -89,7 +89,7 @@ impl FreeSet {
     }
 
     /// Runs of neighbouring free variables, ascending.
-    pub fn runs(&self) -> impl Iterator<Item = Range<usize>> + '_ {
+    pub(crate) fn runs(&self) -> impl Iterator<Item = Range<usize>> + '_ {
         let mut end = 0;
         let stretches = self.free.chunk_by(|one, next| one == next).map(move |stretch| {
             end += stretch.len();

@@ -72,7 +72,7 @@ impl Matrix {
 
     /// Operations of one sweep over all rows, as a number of entries.
     #[must_use]
-    pub fn entries(&self) -> usize {
+    pub(crate) fn entries(&self) -> usize {
         let n = self.dimension();
         match self {
             Self::Dense(_) => n * n,

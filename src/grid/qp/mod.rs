@@ -21,7 +21,8 @@ mod ordering;
 mod profile;
 mod sparse;
 
-pub use band::{Band, NotPositiveDefinite, Row};
+pub use band::NotPositiveDefinite;
+pub(crate) use band::{Band, Row};
 pub use explicit::Explicit;
 pub(crate) use explicit::solved_in;
 pub use free_set::FreeSet;

@@ -49,7 +49,7 @@ impl Profile {
 
     /// The sum of two matrices, and its rounding error, exactly.
     #[must_use]
-    pub fn sum(&self, other: &Self) -> [Self; 2] {
+    pub(crate) fn sum(&self, other: &Self) -> [Self; 2] {
         let first: Vec<usize> = self.first.iter().zip(&other.first).map(|(a, b)| *a.min(b)).collect();
         let mut sum = [Self::zero(first.clone()), Self::zero(first)];
         for i in 0..self.dimension() {
@@ -76,7 +76,7 @@ impl Profile {
 
     /// Approximate number of products of a factorisation.
     #[must_use]
-    pub fn products(&self) -> usize {
+    pub(crate) fn products(&self) -> usize {
         self.rows().map(|(_, row)| row.len() * row.len() / 2 + row.len()).sum()
     }
 
@@ -88,7 +88,7 @@ impl Profile {
     }
 
     /// The diagonal.
-    pub fn diagonal(&self) -> impl Iterator<Item = f64> + '_ {
+    pub(crate) fn diagonal(&self) -> impl Iterator<Item = f64> + '_ {
         self.start[1..].iter().map(|end| self.values[end - 1])
     }
 
@@ -100,7 +100,7 @@ impl Profile {
 
     /// The columns in which row `i` may have entries, on both sides of the diagonal.
     #[must_use]
-    pub fn across(&self, i: usize) -> Range<usize> {
+    pub(crate) fn across(&self, i: usize) -> Range<usize> {
         self.first[i]..self.last[i] + 1
     }
 
@@ -117,7 +117,7 @@ impl Profile {
 
     /// The chosen rows and columns, in the given order, with `shift` subtracted from the diagonal.
     #[must_use]
-    pub fn part(&self, chosen: &[usize], shift: f64) -> Self {
+    pub(crate) fn part(&self, chosen: &[usize], shift: f64) -> Self {
         let mut place = vec![None; self.dimension()];
         chosen.iter().enumerate().for_each(|(k, i)| place[*i] = Some(k));
         let of_part = |(i, j, a): (usize, usize, f64)| {
@@ -175,7 +175,7 @@ impl Profile {
     }
 
     /// Solves `L Lᵀ x = b` in place, where `self` is `L`.
-    pub fn solve(&self, b: &mut [f64]) {
+    pub(crate) fn solve(&self, b: &mut [f64]) {
         for (i, (first, row)) in self.rows().enumerate() {
             let (before, pivot) = row.split_at(i - first);
             b[i] = (b[i] - dot(before, &b[first..i])) / pivot[0];
@@ -190,7 +190,7 @@ impl Profile {
 
     /// `A x`.
     #[must_use]
-    pub fn times(&self, x: &[f64]) -> Vec<f64> {
+    pub(crate) fn times(&self, x: &[f64]) -> Vec<f64> {
         let mut product = vec![0.0; x.len()];
         for (i, (first, row)) in self.rows().enumerate() {
             product[i] += dot(row, &x[first..=i]);

@@ -76,7 +76,7 @@ impl SparseForm {
     /// The residuals of `z` and of the multipliers `y` of the equations: `E z − e`, length r, and `P z + c + Eᵀ y`, length m. `part`
     /// is applied to every term: the identity for the residuals, or the magnitude for the size of their terms.
     #[must_use]
-    pub fn left(&self, z: &[f64], y: &[f64], part: fn(f64) -> f64) -> [Vec<f64>; 2] {
+    pub(crate) fn left(&self, z: &[f64], y: &[f64], part: fn(f64) -> f64) -> [Vec<f64>; 2] {
         let mut equations: Vec<f64> = self.right.iter().map(|e| part(-e)).collect();
         let mut gradient: Vec<f64> = self.linear.iter().map(|c| part(*c)).collect();
         let UpperColumns { starts, rows, values } = &self.quadratic;
