@@ -168,28 +168,7 @@ pub(super) fn cubics<'a>(
     scale: &Scale,
     enclosed: &EnclosedScene<'a>,
 ) -> Option<impl Iterator<Item = Cell> + use<'a>> {
-    let EnclosedScene { length, supports, .. } = *enclosed;
-    let n = given.x.len();
-    if given.deflection.len() != n || given.moment.len() != n {
-        return None;
-    }
-    // Position, deflection and moment at a node.
-    let mut nodes: Vec<[f64; 3]> = Vec::with_capacity(n + supports.len());
-    // A support with a vertical spring is not added, since its deflection is not prescribed.
-    let mut left = supports.iter().filter(|s| s.gives.is_none_or(|gives| gives.spring.is_none())).peekable();
-    let added = |support: &EnclosedSupport| [support.x, support.deflection.middle(), 0.0];
-    for k in 0..n {
-        let x = given.x[k] / scale.length;
-        nodes.extend(std::iter::from_fn(|| left.next_if(|s| s.x < x)).map(added));
-        left.next_if(|s| s.x <= x);
-        nodes.push([x, given.deflection[k] / scale.depth, given.moment[k] / scale.moment()]);
-    }
-    nodes.extend(left.map(added));
-    let reaches = nodes.first().is_some_and(|node| node[0].abs() <= 0.0)
-        && nodes.last().is_some_and(|node| (node[0] - length).abs() <= 0.0);
-    if !reaches || !nodes.is_sorted_by(|a, b| a[0] < b[0]) {
-        return None;
-    }
+    let nodes = nodes_and_supports(given, scale, enclosed)?;
     let enclosed = *enclosed;
     let pulled = enclosed.tension != 0.0 && given.discretisation == Discretisation::BeamElements;
     let built_in = move |x: f64| enclosed.support(x).and_then(|support| support.slope);
@@ -232,6 +211,29 @@ pub(super) fn cubics<'a>(
         let values = [[Interval::exact(v0), left], [Interval::exact(v1), right]];
         Cell { ends: [a, b], values, inside: None, fourth: 0.0 }
     }))
+}
+
+/// Place, deflection and moment at each node and support, from end to end of the beam.
+fn nodes_and_supports(given: &Nodes, scale: &Scale, enclosed: &EnclosedScene<'_>) -> Option<Vec<[f64; 3]>> {
+    let EnclosedScene { length, supports, .. } = *enclosed;
+    let n = given.x.len();
+    if given.deflection.len() != n || given.moment.len() != n {
+        return None;
+    }
+    let mut nodes: Vec<[f64; 3]> = Vec::with_capacity(n + supports.len());
+    // What gives against sinking is a node, or an end that is none.
+    let mut left = supports.iter().filter(|s| s.gives.is_none_or(|gives| gives.spring.is_none())).peekable();
+    let added = |support: &EnclosedSupport| [support.x, support.deflection.middle(), 0.0];
+    for k in 0..n {
+        let x = given.x[k] / scale.length;
+        nodes.extend(std::iter::from_fn(|| left.next_if(|s| s.x < x)).map(added));
+        left.next_if(|s| s.x <= x);
+        nodes.push([x, given.deflection[k] / scale.depth, given.moment[k] / scale.moment()]);
+    }
+    nodes.extend(left.map(added));
+    let reaches = nodes.first().is_some_and(|node| node[0].abs() <= 0.0)
+        && nodes.last().is_some_and(|node| (node[0] - length).abs() <= 0.0);
+    (reaches && nodes.is_sorted_by(|a, b| a[0] < b[0])).then_some(nodes)
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@
 //! which are compared with the deflections of the state. No system of equations is solved.
 
 mod giving;
+mod worst;
 
 use self::giving::{Slope, changes, deflections, slopes};
 use super::summed::{BATCH, Summed, Walked};
@@ -66,7 +67,7 @@ impl Kkt {
         let recorded = Recorded::by(scene, state)?;
         let Recorded { nodes, ref grid, first, ref supports, ref summed, .. } = recorded;
         let Nodes { x, deflection: v, clearance: h, contact_force: p, moment, .. } = nodes;
-        let ([force, depth], length, step) = (recorded.sizes(scene), scene.beam().length(), grid.spacing());
+        let ([force, depth], step) = (recorded.sizes(scene), grid.spacing());
         let gives = scene.ground_stiffness().is_some();
         let (mut places, mut depths) = ([0.0; BATCH], [0.0; BATCH]);
         let mut worst = [0.0; 7];
@@ -112,27 +113,7 @@ impl Kkt {
             });
             worst = largest_each(worst, rows);
         });
-        let [penetration, tension, complementarity, elastic, bent, clearances, out_of_place] = worst;
-        let [low, couples] = at_supports;
-        let [foot, pushed, pressed, law] = recorded.of_springs([force, depth]);
-        let turned = recorded.turned(&tangents, [force, depth], length);
-        // A mechanism that is held only by rounding moves far more than any beam, and all other deviations are small compared with that.
-        let moves = if !recorded.hinges.is_empty() && MOST * length < depth { f64::INFINITY } else { 0.0 };
-        let [shear, remaining] = summed.left_over;
-        let [left, right, mistaken_forces] = recorded.of_supports(scene, state)?;
-        let balance = [shear, remaining / length, left, right].map(f64::abs);
-        Some(Self {
-            penetration: (penetration / depth).max(foot),
-            tension: (tension / force).max(pushed),
-            complementarity: complementarity.max(pressed),
-            equilibrium: largest([elastic.max(low) / depth, largest(balance) / force, law, turned, moves]),
-            record: largest([
-                bent.max(couples) / (force * length),
-                clearances / depth,
-                out_of_place / length,
-                mistaken_forces / force,
-            ]),
-        })
+        recorded.judged(scene, state, worst, at_supports, &tangents)
     }
 
     /// The largest of the five; infinite if any of them is NaN.

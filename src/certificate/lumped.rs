@@ -79,7 +79,7 @@ impl Lumped {
     /// [`NotLumped`]: a force is not valid, the positions are not the inner nodes of equal intervals, or statics does not determine how
     /// the beam bends; in the last case a [`Witness`](crate::Witness) can.
     pub fn new(scene: &Scene, forces: impl IntoIterator<Item = (f64, f64)>) -> Result<Self, NotLumped> {
-        scene.bends_under_forces("a check under nodal loads")?;
+        scene.has_to_bend_under_forces("a check under nodal loads")?;
         Self::bent_by(scene, forces, |lumped, pressing| {
             in_intervals(lumped, Balance::Held, |enclosed| deflection(pressing, enclosed, &[]))
         })

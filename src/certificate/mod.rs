@@ -92,7 +92,7 @@ pub(crate) use witness::tridiagonal;
 /// [`Witness`](crate::Witness) knows more.
 pub fn certify(scene: &Scene, judged: Judged<'_>, witness: &[Contact]) -> Result<Certificate, SceneError> {
     if matches!(judged, Judged::Forces(_)) {
-        scene.bends_under_forces("a bound from a list of contacts")?;
+        scene.has_to_bend_under_forces("a bound from a list of contacts")?;
     }
     Ok(Proof::of(scene, witness)?.judge(judged))
 }
@@ -188,7 +188,7 @@ impl Proof {
         let known = self.pair.as_ref().and_then(|(pair, ends)| match judged {
             Judged::Nodes(nodes) => in_intervals(scene, *balance, |enclosed| of_nodes(enclosed, scale, pair, nodes)),
             Judged::Forces(forces) => {
-                scene.bends_under_forces("").ok()?;
+                scene.bends_under_forces().then_some(())?;
                 let caused =
                     in_intervals(scene, *balance, |enclosed| spread::caused(scene, enclosed, &forces.scaled(scale)))?;
                 of_curves(scene.beam(), pair, &caused)

@@ -65,7 +65,7 @@ pub struct Violation {
 /// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled, and [`SceneError::NotKnown`] if the forces alone do not
 /// determine how the beam bends; in this case a [`Witness`](crate::Witness) can.
 pub fn violations(scene: &Scene, given: &ContactLoad) -> Result<Vec<Violation>, SceneError> {
-    scene.bends_under_forces("a check of contact forces")?;
+    scene.has_to_bend_under_forces("a check of contact forces")?;
     violations_by(scene, given, None)
 }
 

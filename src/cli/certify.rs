@@ -54,8 +54,7 @@ impl Finding {
             let name = forces.display().to_string();
             Failure::File(Box::new(FileError::whole(&name, Problem::ForcesWithoutHeader)))
         })?;
-        let certificate = witness.judge(Judged::Forces(&load), &own).map_err(|error| input.error(error))?;
-        let violations = witness.violations(&load).map_err(|error| input.error(error))?;
+        let (certificate, violations) = witness.judge_forces(&load, &own).map_err(|error| input.error(error))?;
         let verdict = Verdict::of_forces(certificate.clone());
         let refused = verdict.status != Status::Certified;
         let perhaps = lumped.ok().filter(|_| refused).map(|lumped| lumped.intervals());
@@ -83,7 +82,7 @@ pub(super) fn text(input: &Input, finding: &Finding) -> String {
     if input.scene.ground_stiffness().is_some() && !input.scene.beam().is_held() {
         lines.push(("position", "where the springs exert these forces as nearly as possible".to_owned()));
     }
-    if input.scene.is_firm("").is_err() {
+    if !input.scene.is_firm() {
         lines.push(("supports that give", "exert what their law gives for these forces".to_owned()));
     }
     let cut_off = labels.force.name("forces cut off");

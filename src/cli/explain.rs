@@ -86,7 +86,7 @@ pub(super) fn text(input: &Input, answer: &Answer, form: Explained) -> String {
         return head + &chain::text(&chain, &labels, form);
     }
     let found = Explanation::of(&input.scene, exact);
-    let changes = input.scene.is_uniform("").is_err();
+    let changes = !input.scene.is_uniform();
     let page = Page { moment: found.moment(), found, labels, form, changes };
     let shaped = input.scene.beam().shape().is_some();
     head + &page.nodes(shaped)

@@ -7,7 +7,7 @@ use std::fmt;
 
 /// A colour: red, green, blue.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Color(pub(crate) u8, pub(crate) u8, pub(crate) u8);
+pub struct Color(pub u8, pub u8, pub u8);
 
 /// The replacement of each colour in dark surroundings. The colour of the paper is a property that a page may override.
 const DARK: [(Color, &str); 12] = [

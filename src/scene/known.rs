@@ -12,56 +12,57 @@ impl Scene {
         self.ground_stiffness().map_or(Ok(()), |_| Err(SceneError::NeedsRigidGround { what }))
     }
 
-    /// Checks that the beam has a uniform bending stiffness and no joints.
-    ///
-    /// # Errors
-    ///
-    /// [`SceneError::NotKnown`] otherwise, with the name of the computation.
-    pub fn is_uniform(&self, what: &'static str) -> Result<(), SceneError> {
-        let feature = match (self.beam.changes().next(), self.beam.joints()) {
-            (Some(_), _) => "a bending stiffness in steps",
-            (None, [_, ..]) => "joints",
-            (None, []) => return Ok(()),
-        };
-        Err(SceneError::NotKnown { what, feature })
+    /// True if the beam has one bending stiffness and no joints.
+    #[must_use]
+    pub fn is_uniform(&self) -> bool {
+        self.beam.changes().next().is_none() && self.beam.joints().is_empty()
     }
 
-    /// Checks that all moments of the beam follow from given forces. This requires that there is no hinge, no axial force and no
-    /// elastic support. On an elastic foundation the bending stiffness must also be uniform, without joints.
-    ///
-    /// # Errors
-    ///
-    /// [`SceneError::NotKnown`] otherwise, with the name of the computation.
-    pub(crate) fn bends_under_forces(&self, what: &'static str) -> Result<(), SceneError> {
-        if self.ground_stiffness().is_some() {
-            self.is_uniform(what)?;
-        } else if self.beam.is_hinged() {
-            return Err(SceneError::NotKnown { what, feature: "hinges" });
-        }
-        self.has_no_tension(what)?;
-        self.is_firm(what)
+    /// True if no axial force acts on the beam.
+    #[must_use]
+    pub fn has_no_tension(&self) -> bool {
+        self.beam.tension() == 0.0
     }
 
-    /// Checks that no axial force acts on the beam.
-    ///
-    /// # Errors
-    ///
-    /// [`SceneError::NotKnown`] otherwise, with the name of the computation.
-    pub fn has_no_tension(&self, what: &'static str) -> Result<(), SceneError> {
-        if self.beam.tension() == 0.0 { Ok(()) } else { Err(SceneError::NotKnown { what, feature: "an axial force" }) }
-    }
-
-    /// Checks that the beam has no elastic support.
-    ///
-    /// # Errors
-    ///
-    /// [`SceneError::NotKnown`] otherwise, with the name of the computation.
-    pub fn is_firm(&self, what: &'static str) -> Result<(), SceneError> {
+    /// True if no support of the beam gives.
+    #[must_use]
+    pub fn is_firm(&self) -> bool {
         let turns = self.beam.supports().iter().any(|support| support.turning_stiffness.is_some());
-        if turns || !self.beam.springs().is_empty() {
-            return Err(SceneError::NotKnown { what, feature: "supports that give" });
-        }
-        Ok(())
+        !turns && self.beam.springs().is_empty()
+    }
+
+    /// True if all moments of the beam follow from forces that are given: there is no hinge, no axial force and no support that gives, and
+    /// on ground that gives there are neither steps of the bending stiffness nor joints.
+    pub(crate) fn bends_under_forces(&self) -> bool {
+        self.bends_otherwise().is_none()
+    }
+
+    /// Refuses a beam of which moments do not follow from forces that are given.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::NotKnown`], naming what asked for it.
+    pub(crate) fn has_to_bend_under_forces(&self, what: &'static str) -> Result<(), SceneError> {
+        self.bends_otherwise().map_or(Ok(()), |feature| Err(SceneError::NotKnown { what, feature }))
+    }
+
+    /// Because of what moments do not follow from forces that are given.
+    fn bends_otherwise(&self) -> Option<&'static str> {
+        let gives = self.ground_stiffness().is_some();
+        let feature = if gives && self.beam.changes().next().is_some() {
+            "a bending stiffness in steps"
+        } else if gives && !self.beam.joints().is_empty() {
+            "joints"
+        } else if !gives && self.beam.is_hinged() {
+            "hinges"
+        } else if !self.has_no_tension() {
+            "an axial force"
+        } else if !self.is_firm() {
+            "supports that give"
+        } else {
+            return None;
+        };
+        Some(feature)
     }
 
     /// Checks that contact forces at nodes determine the position of the beam although the lengths over which they act are

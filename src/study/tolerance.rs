@@ -80,9 +80,9 @@ impl DepthTolerance {
         let estimates = exact.spread(tolerance);
         let left_out = estimates.is_none().then_some(match scene.ground_stiffness() {
             Some(_) => "no estimates: they are for rigid ground",
-            None if scene.is_uniform("").is_err() => "no estimates: they are for beams of one stiffness",
-            None if scene.has_no_tension("").is_err() => "no estimates: they are for beams without an axial force",
-            None if scene.is_firm("").is_err() => "no estimates: they are for supports that give nothing",
+            None if !scene.is_uniform() => "no estimates: they are for beams of one stiffness",
+            None if !scene.has_no_tension() => "no estimates: they are for beams without an axial force",
+            None if !scene.is_firm() => "no estimates: they are for supports that give nothing",
             None => "no estimates: the forces do not follow from the depths to first order",
         });
         Self { tolerance, energy: [lower, upper], contact, estimates, left_out }

@@ -6,7 +6,7 @@ use super::pull::pulling_stretches;
 use super::shape::Shape;
 use crate::scene::axial::LONGEST;
 use crate::scene::pieces::without_collinear_points;
-use crate::scene::{Bearing, Concentrated, Foundation, Held, Load, Scene, Spring, polynomial};
+use crate::scene::{Bearing, Foundation, Held, Load, Scene, polynomial};
 
 /// Largest angle of a cell of a cosine \[rad\]: 22 terms of its Taylor series are then exact to `0.8²²/22! < 10⁻²³`, and its fourth
 /// derivative to `0.8¹⁸/18! < 10⁻¹⁷`.
@@ -32,30 +32,20 @@ impl PiecewiseScene {
         let length = scene.beam().length();
         let stiffness = scene.beam().bending_stiffness();
         let (mut shapes, mut breaks) = gap_of(foundation, own, length);
-        let bearings: Vec<Bearing> = scene.bearings().collect();
         let joints =
             scene.beam().joints().iter().map(|joint| joint.at).filter(|at| is_curved_at(&shapes, &breaks, *at));
-        let alone: Vec<f64> = bearings.iter().map(|bearing| bearing.at).chain(joints).collect();
+        let alone: Vec<f64> = scene.bearings().map(|bearing| bearing.at).chain(joints).collect();
         break_at(&alone, length, &mut shapes, &mut breaks);
         let ends: Vec<f64> = breaks.iter().map(|b| b.x).collect();
         let load = scene.load();
         let places = places(&[Some(foundation), own], load, scene, &ends);
         let cells = cells(load, scene, &places, &ends);
         let mut breakpoints = breakpoints(load, stiffness, &places, &cells, &shapes, &breaks);
-        for joint in scene.beam().joints() {
-            let flexibility = joint.stiffness.map_or(f64::INFINITY, |k| stiffness / k);
-            breakpoints[places.partition_point(|&x| x < joint.at)].joint = flexibility;
-        }
+        let bearings = stand(scene, &places, &mut breakpoints);
         let springs: Vec<AtSpring> =
-            scene.springs().enumerate().map(|(i, spring)| at_spring(&places, stiffness, &spring, acts(i))).collect();
-        let springy =
-            |i: usize| springs.binary_search_by_key(&i, |spring| spring.breakpoint).is_ok_and(|k| springs[k].acts);
+            scene.springs().enumerate().map(|(i, spring)| AtSpring::of(&spring, &places, stiffness, acts(i))).collect();
         let tension = scene.beam().tension() / stiffness;
-        let changes = |i: usize| cells[i - 1].stiffness.total_cmp(&cells[i].stiffness).is_ne();
-        let divides = |i: &usize| breakpoints[*i].joint != 0.0 || changes(*i) || springy(*i) || tension != 0.0;
-        let divisions: Vec<usize> = (1..cells.len()).filter(divides).collect();
-        let at: Vec<usize> = bearings.iter().map(|bearing| places.partition_point(|&x| x < bearing.at)).collect();
-        at.iter().zip(&bearings).for_each(|(&i, bearing)| breakpoints[i].depth = bearing.gap);
+        let divisions = divisions(&cells, &breakpoints, &springs, tension);
         let degree = shapes.iter().map(Shape::degree).try_fold(0, |most, d| d.map(|d| d.max(most)));
         let (terms, [load_rule, energy_rule]) = orders(&shapes, degree, tension);
         let is_straight = tension == 0.0 && degree.is_some_and(|degree| degree < 2);
@@ -78,15 +68,12 @@ impl PiecewiseScene {
             total_load: 0.0,
             magnitude: within_reach(foundation, length) + own_size,
             founded: scene.foundation().is_some(),
-            bearings: at,
+            bearings,
             free_ends: [0.0, length].map(|end| scene.beam().supports().iter().all(|s| s.at < end || end < s.at)),
             supports: scene
                 .held()
                 .iter()
-                .map(|held| AtSupport {
-                    turning: held.turning.map(|[k, slope]| [k / stiffness, slope]),
-                    ..at_support(foundation, own, length, &places, held)
-                })
+                .map(|held| at_support(scene, [Some(foundation), own], &places, held))
                 .collect(),
             turns: scene.held().iter().any(|held| held.turning.is_some())
                 || springs.iter().any(|spring| spring.turning.is_some()),
@@ -130,36 +117,43 @@ fn orders(shapes: &[Shape], degree: Option<usize>, tension: f64) -> (usize, [Gau
     ((profile + 1).max(terms), [of_load, of_energy].map(Gauss::exact_to))
 }
 
+/// Joints of the beam and supports that only push, at their breakpoints; those of the latter.
+fn stand(scene: &Scene, places: &[f64], breakpoints: &mut [Breakpoint]) -> Vec<usize> {
+    let at = |at: f64| places.partition_point(|&x| x < at);
+    for joint in scene.beam().joints() {
+        let flexibility = joint.stiffness.map_or(f64::INFINITY, |k| scene.beam().bending_stiffness() / k);
+        breakpoints[at(joint.at)].joint = flexibility;
+    }
+    let stands = |bearing: Bearing| {
+        let i = at(bearing.at);
+        breakpoints[i].depth = bearing.gap;
+        i
+    };
+    scene.bearings().map(stands).collect()
+}
+
+/// Where the beam changes: under an axial force everywhere.
+fn divisions(cells: &[Cell], breakpoints: &[Breakpoint], springs: &[AtSpring], tension: f64) -> Vec<usize> {
+    let springy =
+        |i: usize| springs.binary_search_by_key(&i, |spring| spring.breakpoint).is_ok_and(|k| springs[k].acts);
+    let changes = |i: usize| cells[i - 1].stiffness.total_cmp(&cells[i].stiffness).is_ne();
+    let divides = |i: &usize| breakpoints[*i].joint != 0.0 || changes(*i) || springy(*i) || tension != 0.0;
+    (1..cells.len()).filter(divides).collect()
+}
+
 /// A support at one of the breakpoints in `places`.
-fn at_support(
-    foundation: &Foundation,
-    own: Option<&Foundation>,
-    length: f64,
-    places: &[f64],
-    held: &Held,
-) -> AtSupport {
-    let size = |profile: &Foundation| profile.rounded_size(held.at, length);
+fn at_support(scene: &Scene, profiles: [Option<&Foundation>; 2], places: &[f64], held: &Held) -> AtSupport {
+    let (length, stiffness) = (scene.beam().length(), scene.beam().bending_stiffness());
+    let size = |profile: Option<&Foundation>| profile.map_or(0.0, |profile| profile.rounded_size(held.at, length));
     AtSupport {
         breakpoint: places.partition_point(|&x| x < held.at),
         level: held.deflection,
         slope: held.slope,
         built_in: held.slope.is_some(),
-        turning: None,
+        turning: held.turning.map(|[k, slope]| [k / stiffness, slope]),
         clearance: [f64::INFINITY; 2],
         tangent: held.tangent,
-        size: size(foundation) + own.map_or(0.0, size),
-    }
-}
-
-/// An elastic support, divided by the bending stiffness of the beam.
-fn at_spring(places: &[f64], stiffness: f64, spring: &Spring, acts: bool) -> AtSpring {
-    AtSpring {
-        breakpoint: places.partition_point(|&x| x < spring.at),
-        stiffness: spring.stiffness / stiffness,
-        level: spring.deflection,
-        turning: spring.turning.map(|[k, slope]| [k / stiffness, slope]),
-        pushes_only: spring.pushes_only,
-        acts,
+        size: size(profiles[0]) + size(profiles[1]),
     }
 }
 
@@ -247,11 +241,9 @@ fn breakpoints(
             breakpoint.kink = b[1] - a[1];
         }
     }
-    for Concentrated { at, force, couple } in load.concentrated() {
-        let i = places.partition_point(|&x| x < at).min(breakpoints.len() - 1);
-        breakpoints[i].force += force / stiffness;
-        // The couple raises the moment, so `v''` falls.
-        breakpoints[i].couple -= couple / stiffness;
+    for acts in load.concentrated() {
+        let i = places.partition_point(|&x| x < acts.at).min(breakpoints.len() - 1);
+        breakpoints[i].acts.add(acts, stiffness);
     }
     breakpoints
 }
@@ -265,7 +257,7 @@ fn run_ends(cells: &[Cell], breakpoints: &[Breakpoint], divisions: &[usize], is_
         let cell = &cells[*i];
         let jump = (start.load + start.load_slope * (cell.lo - start.lo) - cell.load).abs();
         let is_one = start.load_slope.to_bits() == cell.load_slope.to_bits() && jump <= ROUNDING * cell.load.abs();
-        let ends = !is_straight || !is_one || breakpoints[*i].is_loaded() || divisions.binary_search(i).is_ok();
+        let ends = !is_straight || !is_one || breakpoints[*i].acts.is_any() || divisions.binary_search(i).is_ok();
         if ends {
             start = cell;
         }
@@ -357,9 +349,8 @@ fn lines_of(points: &[[f64; 2]], length: f64) -> (Vec<Shape>, Vec<Break>) {
 /// Sum of the magnitudes of loads that are not directly on a support (couples over the beam length), which sets the size of forces and
 /// moments. A force directly on a support passes through it, however large it is.
 fn load_between_supports(given: &PiecewiseScene) -> f64 {
-    let between = |(i, breakpoint): (usize, &Breakpoint)| {
-        given.support_at(i).map_or(breakpoint.force.abs(), |_| 0.0) + breakpoint.couple.abs() / given.length
-    };
+    let between =
+        |(i, breakpoint): (usize, &Breakpoint)| breakpoint.acts.size(given.length, given.support_at(i).is_some());
     let spread = |cell: &Cell| {
         let width = cell.hi - cell.lo;
         0.5 * width * (cell.load.abs() + (cell.load + width * cell.load_slope).abs())
@@ -372,6 +363,7 @@ fn load_between_supports(given: &PiecewiseScene) -> f64 {
 mod tests {
     use super::*;
     use crate::scene::{Beam, LinearLoad, Load, PointLoad};
+    use crate::theory::acts::Acts;
 
     #[test]
     fn cells_carry_profile_and_load() {
@@ -388,7 +380,7 @@ mod tests {
         assert_eq!(given.breakpoints[1], Breakpoint { x: 1.0, depth: 1.0, kink: -1.0, ..Breakpoint::default() });
         assert_eq!(
             given.breakpoints[2],
-            Breakpoint { x: 2.0, force: 2.5, step: 0.5, kink: 2.0, ..Breakpoint::default() }
+            Breakpoint { x: 2.0, acts: Acts::new([0.0, 2.5]), step: 0.5, kink: 2.0, ..Breakpoint::default() }
         );
         // q = 1 + 2 + 2 (x − 1), over EI.
         let found = [given.load(1, 1.5), given.load(3, 3.5), given.depth(2.0)];

@@ -182,11 +182,11 @@ fn sprung(given: &PiecewiseScene, nodes: [Option<End>; 2], joint_at_end: f64) ->
 
 /// What hangs over beyond the outermost spring on a side, at which deflection, slope and `e v''` are known.
 fn beyond(given: &PiecewiseScene, i: usize, side: usize, [level, slope, bent]: [f64; 3]) -> Vec<Span> {
-    let Breakpoint { x, joint, couple, .. } = given.breakpoints[i];
+    let Breakpoint { x, joint, acts, .. } = given.breakpoints[i];
     // A joint belongs to what is on its left.
     let slope = match side {
         _ if joint <= 0.0 => slope,
-        0 => slope - joint * (bent - couple),
+        0 => slope - joint * (bent - acts.couple()),
         _ => slope + joint * bent,
     };
     let cell = given.cells_beside(i)[side];
@@ -205,9 +205,9 @@ fn beyond(given: &PiecewiseScene, i: usize, side: usize, [level, slope, bent]: [
 fn alone(given: &PiecewiseScene, i: usize, [left, right]: &[Overhang; 2]) -> Option<[f64; 2]> {
     let (spring, at) = (given.spring_at(i)?, &given.breakpoints[i]);
     let [k, without] = spring.turning?;
-    let force = left.force + right.force + at.force;
+    let force = left.force + right.force + at.acts.force();
     // `M` jumps by the couple and by `−k (v' − φ)`.
-    Some([spring.level + force / spring.stiffness, without - (left.moment - right.moment + at.couple) / k])
+    Some([spring.level + force / spring.stiffness, without - (left.moment - right.moment + at.acts.couple()) / k])
 }
 
 /// The parts of the overhang between a free end of the beam and a node, from left to right: from part to part the beam is known at the
@@ -219,13 +219,13 @@ pub(super) fn overhang(given: &PiecewiseScene, held: End, slope: f64, at_left: b
     let (mut spans, mut near, mut slope) = (Vec::new(), held, slope);
     let outwards: Vec<usize> = if at_left { divisions.iter().rev().copied().collect() } else { divisions.to_vec() };
     for i in outwards {
-        let Breakpoint { x, force, couple, joint, .. } = given.breakpoints[i];
+        let Breakpoint { x, acts, joint, .. } = given.breakpoints[i];
         let [left, right] = given.cells_beside(i);
         let (inside, outside) = if at_left { (right, left) } else { (left, right) };
         let far = End { x, low: 0.0, cell: inside, hold: EndCondition::Within };
         let (l, e) = ((near.x - x).abs(), given.cells[inside].stiffness);
         let (here, beyond) = (Overhang::of(given, near.x, at_left), Overhang::of(given, x, at_left));
-        let bent = [here.moment, beyond.moment + sign * couple];
+        let bent = [here.moment, beyond.moment + sign * acts.couple()];
         let fixed = if at_left {
             fixed_end(given, &far, &near, Drive::Load)
         } else {
@@ -240,7 +240,8 @@ pub(super) fn overhang(given: &PiecewiseScene, held: End, slope: f64, at_left: b
         let level = near.hold.level(profiles[0][0]);
         let chord = -sign * slope - near_turn;
         let (next, turned) = (level + chord * l, -sign * (chord + far_turn));
-        let beam = [[level, slope, bent[0], sign * here.force], [next, turned, bent[1], sign * (beyond.force + force)]];
+        let beam =
+            [[level, slope, bent[0], sign * here.force], [next, turned, bent[1], sign * (beyond.force + acts.force())]];
         let mut at = [difference(&profiles[0], &beam[0]), difference(&profiles[1], &beam[1])];
         at[0][0] = near.hold.height();
         if near.hold == EndCondition::Resting {

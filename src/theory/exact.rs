@@ -191,7 +191,7 @@ impl Exact {
         let inside = move |x: f64| rigid && self.state.contacts.iter().any(|c| c.from < x && x < c.to);
         self.given
             .forces()
-            .map(|j| (j.x, j.force))
+            .map(|j| (j.x, j.acts.force()))
             .chain(self.given.springs_in_zone(0.0, self.given.length).map(|(x, force)| (x, -force)))
             .map(|(x, force)| (x * self.scale.length, force * self.stiffness * self.scale.force))
             .filter(move |&(x, _)| inside(x))

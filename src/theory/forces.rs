@@ -106,7 +106,8 @@ pub(super) fn zone_force(given: &PiecewiseScene, from: f64, to: f64) -> f64 {
 /// The equilibrium residual: the load less reactions and contact forces.
 pub(super) fn unbalanced(given: &PiecewiseScene, list: &List, forces: &[f64]) -> f64 {
     let zones = list.zones().map(|zone| zone_force(given, zone.from, zone.to));
-    let at_supports: f64 = given.supports.iter().map(|support| given.breakpoints[support.breakpoint].force).sum();
+    let at_supports: f64 =
+        given.supports.iter().map(|support| given.breakpoints[support.breakpoint].acts.force()).sum();
     let of = |support: bool| move |(node, _): &(&Node, &f64)| node.support(given).is_some() == support;
     let pairs = || list.nodes.iter().zip(forces);
     let carried = pairs().filter(of(true)).fold(given.resultant - at_supports, |rest, (_, force)| rest - force);

@@ -81,16 +81,16 @@ fn state(
     let shears = vertical(given, at, sides);
     let touches = zone || node.is_some();
     let v = if touches { at.depth } else { v };
-    let jump = shears[1] - shears[0] + at.force;
-    let size = if touches { f64::INFINITY } else { shears[0].abs() + shears[1].abs() + at.force.abs() };
+    let jump = shears[1] - shears[0] + at.acts.force();
+    let size = if touches { f64::INFINITY } else { shears[0].abs() + shears[1].abs() + at.acts.force().abs() };
     let size = if given.tension == 0.0 { size } else { size + (given.tension * slope).abs() };
     let force = exerted(spring.stiffness, [v, spring.level], jump, [most[0], size]);
     let couple = spring.turning.map_or(0.0, |[k, without]| {
-        let jump = moments[1] - moments[0] + at.couple;
-        let size = moments[0].abs() + moments[1].abs() + at.couple.abs();
+        let jump = moments[1] - moments[0] + at.acts.couple();
+        let size = moments[0].abs() + moments[1].abs() + at.acts.couple().abs();
         match node {
             // This includes the low-order part of a free slope.
-            Some(node) => at.couple - nodes[node].couple(given),
+            Some(node) => at.acts.couple() - nodes[node].couple(given),
             None => exerted(-k, [slope, without], jump, [most[1], if zone { f64::INFINITY } else { size }]),
         }
     });

@@ -9,7 +9,7 @@ use std::ops::Range;
 use super::chain::{Chain, ChainSample, Guess};
 use super::list::{List, Node};
 use super::normal::{edge_node, merged};
-use super::piecewise::{Breakpoint, PiecewiseScene};
+use super::piecewise::PiecewiseScene;
 use super::pull::zones_between;
 
 /// Sampled positions of the profile, from end to end.
@@ -194,13 +194,13 @@ impl Samples {
                 samples[i].load += force - lever / length;
                 samples[i + 1].load += lever / length;
                 if a < c.lo {
-                    let Breakpoint { force, couple, .. } = given.breakpoints[cell];
+                    let [couple, force] = given.breakpoints[cell].acts.jumps();
                     samples[i].load += (force * (b - c.lo) + couple) / length;
                     samples[i + 1].load += (force * (c.lo - a) - couple) / length;
                 }
             }
             if a <= given.cells[self.cell[i]].lo {
-                samples[i].load += given.breakpoints[self.cell[i]].force;
+                samples[i].load += given.breakpoints[self.cell[i]].acts.force();
                 samples[i].bend += given.breakpoints[self.cell[i]].kink;
             }
             let [start, end] = given.turns([a, b], [self.cell[i], last], !self.far[i]);
@@ -218,7 +218,7 @@ impl Samples {
             }
         }
         if let (Some(sample), Some(end)) = (samples.last_mut(), given.breakpoints.last()) {
-            sample.load += end.force;
+            sample.load += end.acts.force();
         }
         self.turn(given, &mut samples);
         self.on_springs(given, &mut samples);

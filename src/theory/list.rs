@@ -271,7 +271,7 @@ impl Node {
     /// The jump of `v''` at the node, from a couple and a rotational spring.
     pub(super) fn couple(&self, given: &PiecewiseScene) -> f64 {
         let at = self.breakpoint.or_else(|| given.exactly_at(self.x, self.cell));
-        let couple = at.map_or(0.0, |i| given.breakpoints[i].couple);
+        let couple = at.map_or(0.0, |i| given.breakpoints[i].acts.couple());
         let Some([k, without]) = self.turning(given) else { return couple };
         let [slope, low] = self.held_slope(given).map_or_else(|| self.free_slope(), |slope| [slope, 0.0]);
         couple + k * ((slope - without) + low)

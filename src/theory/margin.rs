@@ -88,7 +88,7 @@ pub(super) fn violated_conditions(
         if let Some(support) = node.support(given)
             && let Some(&pulled) = pulls.get(support)
         {
-            let force = force + given.breakpoints[given.supports[support].breakpoint].force;
+            let force = force + given.breakpoints[given.supports[support].breakpoint].acts.force();
             if (force < 0.0) != pulled {
                 add(Condition::Support(i, pulled));
             }
@@ -172,7 +172,7 @@ impl Condition {
             }
             Condition::Support(node, pulled) => {
                 let support = &given.supports[list.nodes.get(node)?.support(given)?];
-                let force = forces.get(node)? + given.breakpoints[support.breakpoint].force;
+                let force = forces.get(node)? + given.breakpoints[support.breakpoint].acts.force();
                 Some(if pulled { -force } else { force })
             }
         }

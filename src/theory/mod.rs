@@ -22,6 +22,7 @@
 //!
 //! **Invariant:** nothing here knows a grid, a method of discretisation or a solver of the quadratic program (32).
 
+mod acts;
 mod asked;
 mod bernstein;
 mod breakpoints;

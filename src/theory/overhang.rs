@@ -37,10 +37,10 @@ impl Overhang {
             }
         }
         let beyond = || given.forces().filter(|at| if at_left { at.x < x } else { x < at.x });
-        beyond().for_each(|at| add(at.x, at.force));
+        beyond().for_each(|at| add(at.x, at.acts.force()));
         // The effect of a couple is the derivative of the effect of a force with respect to its position.
         for at in beyond() {
-            let (r, couple) = ((x - at.x).abs(), if at_left { at.couple } else { -at.couple });
+            let (r, couple) = ((x - at.x).abs(), if at_left { at.acts.couple() } else { -at.acts.couple() });
             sum.moment += couple;
             sum.turn += couple * r;
             sum.sag += couple * r * (2.0 * length - r) / 2.0;

@@ -217,7 +217,7 @@ impl Exact {
             (lo < hi && least < most * given.length * self.stiffness * self.scale.force).then_some([lo, hi])
         };
         let (first, last) = (given.cell_from(from), given.cell_to(to));
-        let loads = given.breakpoints_inside(from, to).map(|i| &given.breakpoints[i]).filter(|b| b.force != 0.0);
+        let loads = given.breakpoints_inside(from, to).map(|i| &given.breakpoints[i]).filter(|b| b.acts.force() != 0.0);
         // Of the force at a support only the sum with that of the support is unique.
         let ends = [i - 1, i].into_iter().filter(|&end| {
             self.list.nodes[end].support(given).is_none()
@@ -260,7 +260,7 @@ impl Exact {
         let concentrated = ends.map(|x| {
             let at_end = [i - 1, i].into_iter().filter(|&i| near(nodes[i].x, x) && nodes[i].support(given).is_none());
             let loads = given.breakpoints_inside(nodes[i - 1].x, nodes[i].x).map(|i| &given.breakpoints[i]);
-            let loads = loads.filter(|breakpoint| near(breakpoint.x, x)).map(|breakpoint| breakpoint.force);
+            let loads = loads.filter(|breakpoint| near(breakpoint.x, x)).map(|breakpoint| breakpoint.acts.force());
             at_end.map(|i| self.forces[i]).chain(loads).sum::<f64>()
         });
         let [from, to] = ends;
@@ -300,7 +300,7 @@ impl Exact {
     /// The load that stands on a support.
     fn load_on(&self, node: &Node) -> f64 {
         let support = node.support(&self.given).map(|index| &self.given.supports[index]);
-        let load = support.map_or(0.0, |support| self.given.breakpoints[support.breakpoint].force);
+        let load = support.map_or(0.0, |support| self.given.breakpoints[support.breakpoint].acts.force());
         load.abs() * self.stiffness * self.scale.force
     }
 

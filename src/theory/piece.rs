@@ -170,7 +170,7 @@ impl Piece {
     fn beyond(&self, given: &PiecewiseScene) -> Option<State> {
         let breakpoint = if self.is_from_the_left() { self.far + 1 } else { self.far };
         let sign = if self.is_from_the_left() { 1.0 } else { -1.0 };
-        let [force, couple] = [given.breakpoints[breakpoint].force, given.breakpoints[breakpoint].couple];
+        let [couple, force] = given.breakpoints[breakpoint].acts.jumps();
         self.state.map(|state| {
             let mut state = self.carried(given, &state, self.count());
             for (j, jump) in [(3, sign * force), (2, sign * couple)] {
@@ -224,7 +224,7 @@ fn meeting(given: &PiecewiseScene, span: &Span) -> f64 {
         (Some(i), Some(j)) => {
             let largest = |from: f64, to: f64| {
                 let inside = given.breakpoints_inside(from, to);
-                inside.fold(0.0, |most: f64, i| most.max(given.breakpoints[i].force.abs()))
+                inside.fold(0.0, |most: f64, i| most.max(given.breakpoints[i].acts.force().abs()))
             };
             let is_left = largest(b.x - near_b, b.x) < largest(a.x, a.x + near_a);
             given.breakpoints[if is_left { i } else { j }].x

@@ -16,6 +16,7 @@ mod giving;
 
 pub(super) use giving::AtSpring;
 
+use super::acts::Acts;
 use super::gauss::Gauss;
 use super::shape::Shape;
 
@@ -45,23 +46,14 @@ pub(super) struct Breakpoint {
     pub(super) x: f64,
     /// Depth of the profile; at a step the smaller one, and at a rigid compression-only support the depth of the support.
     pub(super) depth: f64,
-    /// Point load.
-    pub(super) force: f64,
-    /// Jump of `e v''` caused by a couple.
-    pub(super) couple: f64,
+    /// What acts there.
+    pub(super) acts: Acts,
     /// `w`, the flexibility of a joint; zero where there is none.
     pub(super) joint: f64,
     /// Jump `u(x+) − u(x−)` of the depth.
     pub(super) step: f64,
     /// Jump `u'(x+) − u'(x−)` of the slope.
     pub(super) kink: f64,
-}
-
-impl Breakpoint {
-    /// Whether a force or a couple acts there.
-    pub(super) fn is_loaded(&self) -> bool {
-        self.force != 0.0 || self.couple != 0.0
-    }
 }
 
 /// A support, and the foundation next to it.
@@ -203,14 +195,14 @@ impl PiecewiseScene {
 
     /// The forces at the breakpoints between cells `first` and `last`.
     pub(super) fn forces_between(&self, first: usize, last: usize) -> impl Iterator<Item = &Breakpoint> {
-        self.runs(first, last).skip(1).map(|[start, _]| &self.breakpoints[start]).filter(|j| j.is_loaded())
+        self.runs(first, last).skip(1).map(|[start, _]| &self.breakpoints[start]).filter(|j| j.acts.is_any())
     }
 
     /// All breakpoints at which a force acts, from left to right.
     pub(super) fn forces(&self) -> impl Iterator<Item = &Breakpoint> {
         let inside = self.run_ends.iter().map(|&i| &self.breakpoints[i]);
         let all = self.breakpoints.first().into_iter().chain(inside).chain(self.breakpoints.last());
-        all.filter(|j| j.is_loaded())
+        all.filter(|j| j.acts.is_any())
     }
 
     /// The resultant of the loads between `from` and `to`, without point loads at these two positions.
@@ -218,7 +210,7 @@ impl PiecewiseScene {
         let (first, last) = (self.cell_from(from), self.cell_to(to));
         let mean = |(cell, [lo, hi]): (usize, [f64; 2])| 0.5 * (self.load(cell, lo) + self.load(cell, hi)) * (hi - lo);
         let spread: f64 = self.loaded([from, to], [first, last]).map(mean).sum();
-        spread + self.forces_between(first, last).map(|j| j.force).sum::<f64>()
+        spread + self.forces_between(first, last).map(|j| j.acts.force()).sum::<f64>()
     }
 
     /// Whether the profile of a cell is a straight line.
@@ -279,7 +271,7 @@ impl PiecewiseScene {
         let (left, right) = (&self.cells[before], &self.cells[beyond]);
         let jump = (self.load(before, x) - self.load(beyond, x)).abs();
         let turn = (left.load_slope - right.load_slope).abs() * self.length;
-        self.breakpoints[i].is_loaded()
+        self.breakpoints[i].acts.is_any()
             || ROUNDING * (left.load.abs() + right.load.abs() + right.load_slope.abs() * self.length) < jump.max(turn)
     }
 

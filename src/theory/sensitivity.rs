@@ -368,7 +368,7 @@ impl<'a> Sensitivity<'a> {
 
 /// The load directly on a node.
 pub(super) fn standing(given: &PiecewiseScene, list: &List, i: usize) -> f64 {
-    given.breakpoint_at(list.nodes[i].x).map_or(0.0, |breakpoint| given.breakpoints[breakpoint].force)
+    given.breakpoint_at(list.nodes[i].x).map_or(0.0, |i| given.breakpoints[i].acts.force())
 }
 
 /// The parts of the span to the left of a node; an undivided span has one.

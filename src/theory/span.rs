@@ -171,7 +171,7 @@ impl Span {
         let beam_held = [level, slope, moment, sign * force];
         // A load exactly at the free end is the shear force next to it, and a couple there is the moment.
         let at_end = if at_left { given.breakpoints.first() } else { given.breakpoints.last() };
-        let [shear, couple] = at_end.map_or([0.0; 2], |end| [end.force, end.couple]);
+        let [shear, couple] = at_end.map_or([0.0; 2], |end| [end.acts.force(), end.acts.couple()]);
         let beam_free = [level - sign * slope * length + sag, slope - sign * turn, sign * couple, sign * shear];
         let mut at_held = difference(&profiles[0], &beam_held);
         at_held[0] = held.hold.height();
@@ -307,9 +307,9 @@ pub(super) fn fixed_end(given: &PiecewiseScene, a: &End, b: &End, of: Drive) -> 
             add([(lo - a.x) + t, (b.x - lo) - t], weight * drive(cell, lo, t));
         }
     }
-    given.forces_between(a.cell, b.cell).for_each(|j| add([j.x - a.x, b.x - j.x], sign * j.force));
+    given.forces_between(a.cell, b.cell).for_each(|j| add([j.x - a.x, b.x - j.x], sign * j.acts.force()));
     for j in given.forces_between(a.cell, b.cell) {
-        let (s, r, couple) = ((j.x - a.x) / l, (b.x - j.x) / l, sign * j.couple);
+        let (s, r, couple) = ((j.x - a.x) / l, (b.x - j.x) / l, sign * j.acts.couple());
         moment = [moment[0] - couple * r * (r - 2.0 * s), moment[1] - couple * s * (2.0 * r - s)];
         shear = [shear[0] + couple / l, shear[1] - couple / l];
         clamped = [clamped[0] + 6.0 * couple * r * s / l, clamped[1] - 6.0 * couple * r * s / l];

@@ -42,9 +42,9 @@ fn supports(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -> Vec<Su
         let moment = larger_moment(*moments);
         Some(SupportForce {
             at: node.x,
-            force: (force + at.force) * stiffness,
+            force: (force + at.acts.force()) * stiffness,
             moment: holds.then_some(moment * stiffness),
-            couple: if holds { (right - left + at.couple) * stiffness } else { 0.0 },
+            couple: if holds { (right - left + at.acts.couple()) * stiffness } else { 0.0 },
             pushes_only: false,
         })
     });
@@ -115,7 +115,7 @@ fn energy(given: &PiecewiseScene, pieces: &[Piece]) -> f64 {
         let piece = &pieces[i];
         piece.deflection(given, &mut taylor);
         let [v, v1, ..] = derivatives(&taylor, breakpoint.x.max(piece.lo).min(piece.hi) - piece.anchor);
-        sum += breakpoint.couple * v1 - breakpoint.force * v;
+        sum -= breakpoint.acts.work([v, v1]);
     }
     // The energy of a joint is half of its rotation times its moment.
     for joint in
@@ -140,7 +140,7 @@ fn in_springs(given: &PiecewiseScene, found: &Candidate) -> f64 {
     let at_supports = found.list.nodes.iter().filter_map(|node| {
         let support = &given.supports[node.support(given)?];
         // The couple at the node without the external couple.
-        let couple = node.couple(given) - given.breakpoints[support.breakpoint].couple;
+        let couple = node.couple(given) - given.breakpoints[support.breakpoint].acts.couple();
         Some(turned(support.turning, couple))
     });
     sunk + at_supports.sum::<f64>()

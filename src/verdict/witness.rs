@@ -92,45 +92,58 @@ impl<'a> Witness<'a> {
     ///
     /// The errors of [`certify`].
     pub fn judge(&self, judged: Judged<'_>, own: &[Contact]) -> Result<Certificate, SceneError> {
-        let found = self.found(judged.places());
-        let proven = found.and_then(|found| self.proof.get_or_init(|| found.proof(self.scene)).as_ref());
         if let Judged::Forces(forces) = judged
             && self.is_bent_in_theory()
         {
             let caused = Caused::of(self.scene, forces, &self.scene.scaled()?.scale, false);
-            let curve = caused.map_or_else(Vec::new, |caused| caused.curve);
-            return match proven {
-                Some(proof) => Ok(proof.judge_curve(&curve)),
-                None if self.scene.ground_stiffness().is_some() => {
-                    Ok(Proof::of_stretches(self.scene, &[])?.judge_curve(&curve))
-                }
-                None => Ok(Proof::of(self.scene, own)?.judge_curve(&curve)),
-            };
+            return self.judge_caused(caused.as_ref(), judged.places(), own);
         }
-        match proven {
+        match self.proven(judged.places()) {
             Some(proof) => Ok(proof.judge(judged)),
             None if self.scene.ground_stiffness().is_some() => Ok(Proof::of_stretches(self.scene, &[])?.judge(judged)),
             None => certify(self.scene, judged, own),
         }
     }
 
-    /// The conditions that contact forces violate, as in [`certificate::violations`](crate::certificate::violations), for any beam.
+    /// The same for contact forces on any beam, with what they violate, as [`certificate::violations`](crate::certificate::violations) has it.
     ///
     /// # Errors
     ///
     /// The errors of [`Self::judge`].
-    pub fn violations(&self, forces: &ContactLoad) -> Result<Vec<Violation>, SceneError> {
+    pub fn judge_forces(
+        &self,
+        forces: &ContactLoad,
+        own: &[Contact],
+    ) -> Result<(Certificate, Vec<Violation>), SceneError> {
+        let judged = Judged::Forces(forces);
         if !self.is_bent_in_theory() {
-            return violations(self.scene, forces);
+            return Ok((self.judge(judged, own)?, violations(self.scene, forces)?));
         }
-        let units = self.scene.scaled()?.scale;
-        let Some(caused) = Caused::of(self.scene, forces, &units, false) else {
-            return violations_by(self.scene, forces, Some(&[]));
-        };
-        let mut found = violations_by(self.scene, forces, Some(&caused.curve))?;
-        found.extend(caused.violations);
-        found.sort_by(|a, b| b.relative.total_cmp(&a.relative));
-        Ok(found)
+        let caused = Caused::of(self.scene, forces, &self.scene.scaled()?.scale, false);
+        let certificate = self.judge_caused(caused.as_ref(), judged.places(), own)?;
+        let curve = caused.as_ref().map_or(&[][..], |caused| &caused.curve);
+        let mut found = violations_by(self.scene, forces, Some(curve))?;
+        if let Some(caused) = caused {
+            found.extend(caused.violations);
+            found.sort_by(|a, b| b.relative.total_cmp(&a.relative));
+        }
+        Ok((certificate, found))
+    }
+
+    /// Bounds for what forces cause, none of which hold the beam if there is nothing.
+    fn judge_caused(&self, caused: Option<&Caused>, nodes: usize, own: &[Contact]) -> Result<Certificate, SceneError> {
+        let curve = caused.map_or(&[][..], |caused| &caused.curve);
+        Ok(match self.proven(nodes) {
+            Some(proof) => proof.judge_curve(curve),
+            None if self.scene.ground_stiffness().is_some() => Proof::of_stretches(self.scene, &[])?.judge_curve(curve),
+            None => Proof::of(self.scene, own)?.judge_curve(curve),
+        })
+    }
+
+    /// What the contacts of theory prove, if it may be solved for so many nodes.
+    fn proven(&self, nodes: usize) -> Option<&Proof> {
+        let found = self.found(nodes)?;
+        self.proof.get_or_init(|| found.proof(self.scene)).as_ref()
     }
 
     /// The beam under contact forces and a load lumped at the same nodes, as in [`Lumped::new`], for any beam.
@@ -151,7 +164,7 @@ impl<'a> Witness<'a> {
 
     /// Whether beam theory is needed to find the deflection under given forces, because statics alone does not determine it.
     fn is_bent_in_theory(&self) -> bool {
-        self.scene.bends_under_forces("").is_err()
+        !self.scene.bends_under_forces()
     }
 
     /// The contacts of theory as a start for the active-set solver, if a survey has points between the nodes of a `coarser` grid.

@@ -125,7 +125,7 @@ impl Chain {
         let tension = scene.beam().tension();
         (scene.ground_stiffness().is_some() || tension != 0.0).then_some(())?;
         let nodes = nodes(scene, exact);
-        let is_pressed = |x: f64| exact.state.contacts.iter().any(|contact| contact.from < x && x < contact.to);
+        let is_pressed = |x: f64| is_pressed(exact, x);
         let link = |pair: &[ChainNode]| {
             let ends = [pair[0].x, pair[1].x];
             if exact.is_rigid() && is_pressed(0.5 * (ends[0] + ends[1])) {
@@ -274,10 +274,18 @@ fn stiffness(scene: &Scene, [from, to]: [f64; 2]) -> f64 {
     scene.ground_stiffness_beside(0.5 * (from + to))[0]
 }
 
-fn nodes(scene: &Scene, exact: &Exact) -> Vec<ChainNode> {
+/// Place, what is there, the force of a support, and whether it holds the slope.
+type Place = (f64, What, f64, bool);
+
+fn is_pressed(exact: &Exact, x: f64) -> bool {
+    exact.state.contacts.iter().any(|contact| contact.from < x && x < contact.to)
+}
+
+/// All places where something is, with the forces of supports.
+fn places(scene: &Scene, exact: &Exact) -> Vec<Place> {
     let (state, length, load) = (&exact.state, scene.beam().length(), scene.load());
-    let is_pressed = |x: f64| state.contacts.iter().any(|contact| contact.from < x && x < contact.to);
-    let mut found: Vec<(f64, What, f64, bool)> = Vec::new();
+    let is_pressed = |x: f64| is_pressed(exact, x);
+    let mut found: Vec<Place> = Vec::new();
     if exact.is_rigid() {
         found.extend(super::found(scene, exact));
     }
@@ -309,13 +317,18 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<ChainNode> {
         }
         same
     });
-    let mut all: Vec<(f64, What, f64, bool)> = Vec::new();
+    found
+}
+
+/// Places, with those in between by which links of springs or under an axial force stay as short as their functions stay tame.
+fn with_between(scene: &Scene, exact: &Exact, found: &[Place]) -> Vec<Place> {
+    let mut all: Vec<Place> = Vec::new();
     for pair in found.windows(2) {
         let [from, to] = [pair[0].0, pair[1].0];
         let bending = scene.beam().stiffness_between(from, to);
         let decay = (0.25 * stiffness(scene, [from, to]) / bending).sqrt().sqrt();
         let pulled = (scene.beam().tension().abs() / bending).sqrt();
-        let shortest = match (is_pressed(0.5 * (from + to)), exact.is_rigid()) {
+        let shortest = match (is_pressed(exact, 0.5 * (from + to)), exact.is_rigid()) {
             (true, true) => 0.0,
             (true, false) => decay.max(pulled),
             (false, _) => pulled,
@@ -326,7 +339,12 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<ChainNode> {
         all.extend(inside.map(|k| (from + (to - from) * (k / parts), What::Between, 0.0, false)));
     }
     all.extend(found.last());
-    let node = |(x, what, force, follows): (f64, What, f64, bool)| {
+    all
+}
+
+fn nodes(scene: &Scene, exact: &Exact) -> Vec<ChainNode> {
+    let (length, load) = (scene.beam().length(), scene.load());
+    let node = |(x, what, force, follows): Place| {
         let here = load.point().iter().filter(|load| (load.at - x).abs() <= SAME * length);
         let joint = scene.beam().joints().iter().find(|joint| (joint.at - x).abs() <= SAME * length);
         ChainNode {
@@ -341,5 +359,5 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<ChainNode> {
             joint: joint.map(|joint| joint.stiffness.unwrap_or(0.0)),
         }
     };
-    all.into_iter().map(node).collect()
+    with_between(scene, exact, &places(scene, exact)).into_iter().map(node).collect()
 }

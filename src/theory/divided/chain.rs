@@ -74,7 +74,8 @@ impl Place {
 
     /// What happens at a breakpoint of a span that is computed in one `way`, or in its deflection from a `line`, there with its slope.
     pub(super) fn at(given: &PiecewiseScene, i: usize, in_beam: bool, line: [f64; 2]) -> Self {
-        let Breakpoint { x, force, couple, step, kink, joint, .. } = given.breakpoints[i];
+        let Breakpoint { x, acts, step, kink, joint, .. } = given.breakpoints[i];
+        let [couple, force] = acts.jumps();
         if in_beam {
             let place = Self { couple: -couple, shear: -force, joint, ..Self::default() };
             return place.on(given.spring_at(i), line);

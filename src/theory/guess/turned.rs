@@ -26,7 +26,7 @@ impl Samples {
     pub(super) fn turn(&self, given: &PiecewiseScene, samples: &mut [ChainSample]) {
         let last = samples.len() - 1;
         for i in 0..=last {
-            let couple = self.breakpoint(given, i).map_or(0.0, |at| given.breakpoints[at].couple);
+            let couple = self.breakpoint(given, i).map_or(0.0, |at| given.breakpoints[at].acts.couple());
             if couple == 0.0 {
                 continue;
             }

@@ -29,7 +29,8 @@ impl PiecewiseScene {
     /// The actions at breakpoint `i` on a beam that follows the foundation on both sides: the missing jump of `e v''`, and the downward
     /// force.
     pub(in crate::theory) fn acts_along_ground(&self, i: usize) -> [f64; 2] {
-        let Breakpoint { x, mut couple, joint, .. } = self.breakpoints[i];
+        let Breakpoint { x, acts, joint, .. } = self.breakpoints[i];
+        let mut couple = acts.couple();
         let ([left, right], force) = (self.cells_beside(i), self.force_on(i));
         if let Some([k, slope]) = self.spring_at(i).and_then(|spring| spring.turning) {
             couple += k * (self.derivative(right, x, 1) - slope);
@@ -70,7 +71,7 @@ impl PiecewiseScene {
         let [_, cell] = self.cells_beside(i);
         self.is_free_end(i)
             && !self.is_bearing(i)
-            && self.breakpoints[i].couple == 0.0
+            && self.breakpoints[i].acts.couple() == 0.0
             && self.shapes[self.cells[cell].shape].degree().is_some_and(|degree| degree < 2)
     }
 }

@@ -6,6 +6,7 @@
 //! ```
 
 use super::PiecewiseScene;
+use crate::scene::Spring;
 
 /// An elastic support.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,6 +23,20 @@ pub(in crate::theory) struct AtSpring {
     pub(in crate::theory) pushes_only: bool,
     /// Whether it is active; a compression-only spring is active where it is pressed.
     pub(in crate::theory) acts: bool,
+}
+
+impl AtSpring {
+    /// Among the breakpoints at `places`, over this stiffness of the beam.
+    pub(in crate::theory) fn of(spring: &Spring, places: &[f64], stiffness: f64, acts: bool) -> Self {
+        Self {
+            breakpoint: places.partition_point(|&x| x < spring.at),
+            stiffness: spring.stiffness / stiffness,
+            level: spring.deflection,
+            turning: spring.turning.map(|[k, slope]| [k / stiffness, slope]),
+            pushes_only: spring.pushes_only,
+            acts,
+        }
+    }
 }
 
 impl PiecewiseScene {
@@ -72,7 +87,8 @@ impl PiecewiseScene {
     /// The downward force at breakpoint `i` on a beam that touches there.
     pub(in crate::theory) fn force_on(&self, i: usize) -> f64 {
         let (at, spring) = (&self.breakpoints[i], self.spring_at(i));
-        spring.map_or(at.force, |spring| at.force - spring.stiffness * (at.depth - spring.level))
+        let force = at.acts.force();
+        spring.map_or(force, |spring| force - spring.stiffness * (at.depth - spring.level))
     }
 
     /// The downward force exactly at `x`; `near` is the cell that most likely contains `x`.

@@ -261,7 +261,11 @@ fn support(given: &PiecewiseScene, parts: &[Part], i: usize, stiffness: f64) -> 
         at: x,
         force,
         moment: holds.then_some(moment * stiffness),
-        couple: if holds { (left[2] - right[2] + given.breakpoints[breakpoint].couple) * stiffness } else { 0.0 },
+        couple: if holds {
+            (left[2] - right[2] + given.breakpoints[breakpoint].acts.couple()) * stiffness
+        } else {
+            0.0
+        },
     }
 }
 
@@ -273,7 +277,7 @@ fn giving(given: &PiecewiseScene, parts: &[Part], spring: &AtSpring, stiffness: 
         return SupportForce::pushing(at.x, 0.0);
     }
     let ([left, right], v) = (beside(parts, at.x), part_at(parts, at.x, false).beam(at.x)[0]);
-    let size = left[3].abs() + right[3].abs() + at.force.abs();
+    let size = left[3].abs() + right[3].abs() + at.acts.force().abs();
     let size = if given.tension == 0.0 { size } else { size + given.tension.abs() * left[1].abs().max(right[1].abs()) };
     let force = exerted(k, [v, level], force(given, parts, breakpoint), [v.abs(), size]);
     SupportForce {
@@ -281,7 +285,7 @@ fn giving(given: &PiecewiseScene, parts: &[Part], spring: &AtSpring, stiffness: 
         // Negative only by rounding.
         force: if pushes_only { force.max(0.0) } else { force } * stiffness + 0.0,
         moment: turning.map(|_| -larger_moment([left[2], right[2]]) * stiffness),
-        couple: turning.map_or(0.0, |_| (left[2] - right[2] + at.couple) * stiffness),
+        couple: turning.map_or(0.0, |_| (left[2] - right[2] + at.acts.couple()) * stiffness),
         pushes_only,
     }
 }
@@ -302,7 +306,7 @@ fn in_springs(given: &PiecewiseScene, parts: &[Part]) -> f64 {
     let turned = (0..given.breakpoints.len()).filter_map(|i| Some((i, given.turning_at(i)?)));
     let turned = turned.map(|(i, [k, _])| {
         let [left, right] = beside(parts, given.breakpoints[i].x);
-        let couple = left[2] - right[2] + given.breakpoints[i].couple;
+        let couple = left[2] - right[2] + given.breakpoints[i].acts.couple();
         0.5 * couple * couple / k
     });
     sunk.sum::<f64>() + turned.sum::<f64>()
@@ -341,10 +345,10 @@ fn energy(given: &PiecewiseScene, parts: &[Part], springs: f64) -> f64 {
         0.5 * at.joint * bent * bent
     });
     let sum = turned.fold(sum, |sum, turned| sum + turned);
-    given.forces().fold(sum, |sum, &Breakpoint { x, force, couple, .. }| {
+    given.forces().fold(sum, |sum, &Breakpoint { x, acts, .. }| {
         // The slope of a short part is a quotient by its length, so the longer part is used.
         let [left, right] = [false, true].map(|right| part_at(parts, x, right));
         let [v, v1, ..] = if left.piece.width() < right.piece.width() { right } else { left }.beam(x);
-        sum - force * v + couple * v1
+        sum - acts.work([v, v1])
     })
 }

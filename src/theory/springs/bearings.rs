@@ -117,7 +117,7 @@ fn wrong(held: &PiecewiseScene, parts: &[Part], presses: &[bool]) -> Vec<usize> 
 pub(super) fn force(given: &PiecewiseScene, parts: &[Part], breakpoint: usize) -> f64 {
     let at = &given.breakpoints[breakpoint];
     let [before, behind] = beside(parts, at.x);
-    let force = at.force - (behind[3] - before[3]);
+    let force = at.acts.force() - (behind[3] - before[3]);
     let turns = at.x <= 0.0 || given.length <= at.x || at.joint != 0.0;
     if given.tension != 0.0 && turns { force + given.tension * (behind[1] - before[1]) } else { force }
 }

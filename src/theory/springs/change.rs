@@ -18,6 +18,7 @@ use super::bearings::force;
 use super::chain::solve;
 use super::{Part, Springs};
 use crate::scene::{Scene, Support};
+use crate::theory::acts::Acts;
 use crate::theory::asked::{Asked, NOTHING};
 use crate::theory::derivatives::{ContactDerivative, Derivative, Missing};
 use crate::theory::exact::Exact;
@@ -123,7 +124,7 @@ impl Exact {
         }
         changed.shapes.fill(Shape::Line { origin: 0.0, depth, slope: 0.0 });
         for at in &mut changed.breakpoints {
-            (at.force, at.couple, at.step, at.kink) = (loads * at.force, loads * at.couple, 0.0, 0.0);
+            (at.acts, at.step, at.kink) = (at.acts.times(loads), 0.0, 0.0);
         }
         for support in &mut changed.supports {
             let is_it = matches!(of, Change::Level(at) if at == support.breakpoint);
@@ -135,9 +136,10 @@ impl Exact {
             (spring.level, spring.turning) = (f64::from(u8::from(is_it)), spring.turning.map(|[k, _]| [k, 0.0]));
         }
         let breakpoint = |x: f64| self.given.breakpoints.partition_point(|at| at.x < x);
+        let mut act = |x: f64, jumps: [f64; 2]| changed.breakpoints[breakpoint(x)].acts = Acts::new(jumps);
         match of {
-            Change::Force(x, more) => changed.breakpoints[breakpoint(x)].force = more,
-            Change::Move(x, force) => changed.breakpoints[breakpoint(x)].couple = -force,
+            Change::Force(x, more) => act(x, [0.0, more]),
+            Change::Move(x, force) => act(x, [-force, 0.0]),
             _ => {}
         }
         changed

@@ -124,7 +124,7 @@ impl Beam<'_> {
     /// from which `h'` is measured.
     pub(super) fn acts(&self, i: usize) -> [f64; 2] {
         let at = self.breakpoint(i).map(|breakpoint| self.given.breakpoints[breakpoint]);
-        let [force, couple] = at.map_or([0.0; 2], |at| [-at.force, -at.couple]);
+        let [force, couple] = at.map_or([0.0; 2], |at| [-at.acts.force(), -at.acts.couple()]);
         if self.given.tension == 0.0 {
             return [force, couple];
         }

@@ -73,7 +73,7 @@ fn equations_of_random_scenes_hold() {
     for seed in hostile::seeds(0..1500) {
         let Ok(scene) = hostile::draft(seed).scene() else { continue };
         // `explain` refuses these, and has the equations of an elastic foundation in another form.
-        if scene.has_no_tension("explain").and_then(|()| scene.on_rigid_ground("explain")).is_err() {
+        if !scene.has_no_tension() || scene.on_rigid_ground("explain").is_err() {
             continue;
         }
         let Ok(exact) = theory::solve(&scene) else { continue };
