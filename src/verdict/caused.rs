@@ -15,6 +15,9 @@ use crate::theory::{self, Exact};
 /// Forces that are farther from a law than this share of the loads violate it: rounding of some digits that were printed is none.
 const ROUNDING: f64 = 1e-9;
 
+/// Of what a beam without stops violates, this share is rounding: a thousandth of what a program prints forces with.
+const NEARLY: f64 = 1e-6;
+
 /// What forces do to a beam.
 #[derive(Debug)]
 pub(crate) struct Caused {
@@ -31,7 +34,7 @@ impl Caused {
         let mut given = Given::of(scene, forces, at_nodes);
         let solved = |given: &Given| {
             let bare = given.scene(scene, forces).ok()?;
-            theory::solve(&bare).ok().filter(|exact| exact.solved && given.is_held(scene, exact))
+            theory::solve(&bare).ok().filter(|exact| given.is_answer(exact) && given.is_held(scene, exact))
         };
         let mut exact = loop {
             if let Some(exact) = solved(&given) {
@@ -82,6 +85,12 @@ impl Given {
         let sunk =
             soil.iter().filter(|part| 0.0 < part.spring).map(|part| (part.x, part.force / part.spring)).collect();
         Self { contacts, own, holding: Vec::new(), supports, is_spread, sunk, is_placed: false }
+    }
+
+    /// Whether an answer is one. Without stops there is one beam alone: what it violates is rounding, of forces in balance with loads a large
+    /// share of what supports have besides.
+    fn is_answer(&self, exact: &Exact) -> bool {
+        exact.solved || exact.residual <= NEARLY && !self.supports.iter().any(|support| support.pushes_only)
     }
 
     /// Whether its supports and the stops that it presses hold the beam in an answer: in balance but for rounding it may be anywhere.
