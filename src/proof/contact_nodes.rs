@@ -156,8 +156,13 @@ impl Given {
             node.map_or(Ok([RBig::ZERO, RBig::ZERO]), |node| self.end(node, side))
         };
         let ends = [end(i.checked_sub(1).map(|i| &nodes[i]), 1)?, end(nodes.get(i), 0)?];
-        let at = nodes.get(i).or(nodes.last()).map_or(f64::NAN, |node| node.x);
-        hanging.span(&ends).map(Some).ok_or(Unproven::Turns { at })
+        hanging.span(&ends).map(Some).ok_or(Unproven::Turns { at: self.beside_span(nodes, i) })
+    }
+
+    /// A place that holds the span on the left of node `i`, if anything does.
+    fn beside_span(&self, nodes: &[HoldingNode], i: usize) -> f64 {
+        let node = nodes.get(i).or(nodes.last()).map(|node| node.x);
+        node.or(self.elastic.first().map(|spring| spring.x)).unwrap_or(0.0)
     }
 
     /// Solves for the slopes at which moments balance at each node. The system is tridiagonal, and its right-hand side is the
@@ -179,7 +184,10 @@ impl Given {
             return Ok(());
         }
         let stiffness = (0..=nodes.len())
-            .map(|i| self.hanging(nodes, i).map(|hanging| hanging.stiffness().ok_or(Unproven::Turns { at: f64::NAN })))
+            .map(|i| {
+                let turns = || Unproven::Turns { at: self.beside_span(nodes, i) };
+                self.hanging(nodes, i).map(|hanging| hanging.stiffness().ok_or_else(turns))
+            })
             .map(Option::transpose)
             .collect::<Result<Vec<_>, _>>()?;
         for _ in 0..SOLVES {

@@ -38,7 +38,7 @@ impl Part {
     fn of(scene: &Scene, [from, to]: [f64; 2]) -> Self {
         let (beam, load, l) = (scene.beam(), scene.load(), scene.beam().length());
         let share = |x: f64| (x - from) / (to - from);
-        let is_here = |x: f64| from <= x && (x < to || l <= x);
+        let is_here = |x: f64| from <= x && (x < to || l <= to);
         let mut part = Self { from, to, work: [0.0; 2], size: [0.0; 2], stops: Vec::new(), is_level: false };
         for q in load.spread(l).filter(|q| q.from < to && from < q.to) {
             let [a, b] = [q.from.max(from), q.to.min(to)];

@@ -74,6 +74,18 @@ fn a_support_at_an_end_is_all_that_holds() {
     }
 }
 
+/// A part without load beyond a hinge may be anywhere: there is no proof, and the message names a place.
+#[test]
+fn what_may_turn_has_a_place() {
+    let text = "[beam]\nlength = 10.0\nbending_stiffness = 20.0\nsupports = [{ at = 2.5, stiffness = 4.0 }]\n\
+        joints = [{ at = 6.75 }, { at = 7.75 }]\n[load]\npoint = [{ at = 4.5, force = 0.5 }]\n\
+        [foundation]\npolynomial = [0.2, 0.08, -0.008]\n";
+    let scene = parse("scene.toml", text, |_| Err(ReadProblem::Missing)).expect("a scene");
+    let exact = theory::solve(&scene).expect("an answer");
+    let why = prove(&scene, &exact).expect_err("a part without load");
+    assert!(matches!(why, Unproven::Turns { at } if at.total_cmp(&6.75).is_eq()), "{why}");
+}
+
 /// The edge of a step carries together with a stop at the same place.
 #[test]
 fn a_stop_beside_ground_that_carries_too() {

@@ -154,6 +154,22 @@ fn a_part_beyond_a_hinge_has_to_rest() {
     assert_eq!(unheld(at_end, "", &hole.replace("8.0, 0.0", "9.5, 0.0")), None);
 }
 
+/// A load belongs to one part alone, one at an end of the beam or in a hinge too: pressed down everywhere a beam rests.
+#[test]
+fn a_load_acts_on_one_part() {
+    let level = "[foundation]\ndepth = 1.0";
+    for at in [0.0, 3.0, 6.5, 10.0] {
+        for supports in ["[]", "[{ at = 0 }, { at = 10 }]"] {
+            let beam = format!("joints = [{{ at = 3.0 }}, {{ at = 6.5 }}]\nsupports = {supports}");
+            assert_eq!(
+                unheld(&beam, &format!("point = [{{ at = {at:?}, force = 5.0 }}]"), level),
+                None,
+                "{at}, {beam}"
+            );
+        }
+    }
+}
+
 /// A link that is pulled up between two hinges takes its neighbours along, as far as these are not heavy enough.
 #[test]
 fn parts_between_hinges_have_to_rest() {

@@ -114,7 +114,7 @@ fn random_beams_on_springs_and_on_ground_are_certified() {
     assert!(200 * lost.len() <= drawn.len(), "{} of {}: {lost:#?}", lost.len(), drawn.len());
 }
 
-/// A stiffness in steps is several numbers: each of those of the beam has its derivative, and those of the foundation are left out.
+/// A stiffness in steps is several numbers: each of those of the beam and of the foundation has its derivative.
 #[test]
 fn each_step_of_a_stiffness_has_its_derivative() {
     let given = Given::lying(12.0, &[[0.0, 4.0], [5.0, 9.0]], &[[0.0, 90.0], [4.0, 50.0]], 2.0);
@@ -122,5 +122,6 @@ fn each_step_of_a_stiffness_has_its_derivative() {
     let by: Vec<String> =
         exact.derivatives(&given.scene().expect("a scene")).iter().map(|d| d.by.to_string()).collect();
     let steps = [0, 1].map(|i| palkki::scene::Quantity::StepStiffness(i).to_string());
-    assert_eq!(by, ["depth", "load.uniform", &steps[0], &steps[1]]);
+    let soil = [0, 1].map(|i| palkki::scene::Quantity::GroundStepStiffness(i).to_string());
+    assert_eq!(by, ["depth", "load.uniform", &steps[0], &steps[1], &soil[0], &soil[1]]);
 }

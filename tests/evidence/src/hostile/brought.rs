@@ -2,7 +2,7 @@
 //! those of the true beam.
 
 use palkki::Witness;
-use palkki::certificate::{Certificate, ContactLoad, Judged};
+use palkki::certificate::{Certificate, ContactLoad};
 use palkki::scene::Scene;
 use palkki::state::ContactState;
 use palkki::theory::Exact;
@@ -48,9 +48,9 @@ pub(super) fn forces(
     for right in [of(&exact.state)].into_iter().chain(on_grid.map(of)).filter(|rows| !rows.is_empty()) {
         for rows in [forged(&right, random), right] {
             let Ok(load) = ContactLoad::new(scene.beam().length(), rows.iter().copied()) else { continue };
-            let said = match (witness.judge(Judged::Forces(&load), &[]), witness.violations(&load)) {
-                (Ok(said), Ok(_)) => said,
-                (Err(why), _) | (_, Err(why)) => {
+            let said = match witness.judge_forces(&load, &[]) {
+                Ok((said, _)) => said,
+                Err(why) => {
                     trial.wrong.push(format!("forces are refused: {why}; {rows:?}"));
                     continue;
                 }
