@@ -349,6 +349,6 @@ fn energy(given: &PiecewiseScene, parts: &[Part], springs: f64) -> f64 {
         // The slope of a short part is a quotient by its length, so the longer part is used.
         let [left, right] = [false, true].map(|right| part_at(parts, x, right));
         let [v, v1, ..] = if left.piece.width() < right.piece.width() { right } else { left }.beam(x);
-        sum - acts.work([v, v1])
+        sum - acts.force() * v + acts.couple() * v1
     })
 }
