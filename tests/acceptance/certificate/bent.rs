@@ -293,7 +293,9 @@ fn an_elastic_foundation_holds_what_its_forces_bend() {
         let (right, found) = judged(&scene, &forces);
         let deepest = 1.25 + pressed(4.0) / k;
         assert!(right.deflection_error <= 1e-5 && (right.deflection - deepest).abs() <= 1e-5, "{right:?}");
-        assert!(found.iter().all(|(_, share)| *share <= 1e-5), "{found:?}");
+        // Forces in steps of `w` lack the moment `p' L w²/12` that the slope of the pressure has on each half, which two places 3.75 apart make up for.
+        let lacking = 2.0 * (1.5 * force / 8.0 * 4.0 * 0.25 * 0.25 / 12.0) / 3.75 / 17.0;
+        assert!(found.iter().all(|(_, share)| *share <= 1.01 * lacking), "{found:?}");
         assert_eq!(Verdict::of_forces(right).status, Status::Certified);
         // Twice the force says twice as deep, and is not in balance.
         let double: Vec<(f64, f64)> = forces.iter().map(|(x, force)| (*x, 2.0 * force)).collect();
