@@ -32,7 +32,7 @@
 //! jumps.
 
 use super::{Law, SAME, What, has_lifted};
-use crate::scene::{Foundation, Scene};
+use crate::scene::{Foundation, Scene, Support};
 use crate::theory::Exact;
 use crate::theory::gauss::Gauss;
 
@@ -342,6 +342,15 @@ fn with_between(scene: &Scene, exact: &Exact, found: &[Place]) -> Vec<Place> {
     all
 }
 
+/// The deflection that a rigid support gives the beam; the answer has it with rounding.
+fn given_deflection(scene: &Scene, what: What, x: f64) -> Option<f64> {
+    let beam = scene.beam();
+    let is_here = |support: &&Support| (support.at - x).abs() <= SAME * beam.length();
+    let supports = beam.all_supports();
+    let support = supports.iter().find(is_here).filter(|_| matches!(what, What::Support | What::BuiltIn))?;
+    Some(support.level - beam.shape().map_or(0.0, |shape| shape.depth(support.at)))
+}
+
 fn nodes(scene: &Scene, exact: &Exact) -> Vec<ChainNode> {
     let (length, load) = (scene.beam().length(), scene.load());
     let node = |(x, what, force, follows): Place| {
@@ -350,7 +359,7 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<ChainNode> {
         ChainNode {
             what,
             x,
-            deflection: exact.deflection(x),
+            deflection: given_deflection(scene, what, x).unwrap_or_else(|| exact.deflection(x)),
             // At a joint the slope has two values.
             slope: (follows && joint.is_none()).then(|| exact.slope(x)),
             moments: exact.moments(x),
