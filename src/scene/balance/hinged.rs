@@ -1,8 +1,8 @@
 //! Beams with hinges: whether the loads move a part of the beam without end, upwards or into an opening.
 //!
 //! A motion without bending is a line `w` with a corner in each hinge. It is zero at bilateral supports, and not downwards at
-//! compression-only supports and at the foundation. The loads can be balanced if and only if they do no positive work on any such motion. The
-//! parts are examined from left to right. The largest work on all parts to the left of a hinge is proportional to the motion of the
+//! compression-only supports and at the foundation. The loads can be balanced if and only if they do no positive work on any such motion.
+//! The parts are examined from left to right. The largest work on all parts to the left of a hinge is proportional to the motion of the
 //! hinge, so two numbers describe it: one for a motion up and one for a motion down.
 
 use super::{Unheld, pushing};
