@@ -184,7 +184,7 @@ impl Proof {
         Ok(Self { scaled, pair, known })
     }
 
-    /// Bounds for a deflection; infinite where [`certify`] would return an error.
+    /// Bounds for a deflection. For forces that [`certify`] rejects, the bounds on the deflection are infinite.
     #[must_use]
     pub fn judge(&self, judged: Judged<'_>) -> Certificate {
         let Scaled { scene, scale, balance } = &self.scaled;

@@ -71,19 +71,20 @@ pub(super) struct Nothing {
 /// two supports that are almost at one position they may be 10¹⁷ times as large.
 pub(super) const TOLERANCE: f64 = 1e-12;
 
-/// Lower limit of the scales of deflections, forces and moments, as a share of the effect of the loads on a free beam. `TOLERANCE ·
-/// AT_REST` is the rounding of an addition.
+/// Lower limit of the scales of deflections, forces and moments, as a share of the effect of the loads on a free beam.
+/// `TOLERANCE · AT_REST` is the rounding of an addition.
 pub(super) const AT_REST: f64 = 1e-3;
 
 /// Number of positions in a piece of many cells at which the largest deflection and moment are sought.
 const PARTS: u32 = 8;
 
-/// A contact that would have to move by less than this fraction of the beam is at the right position. It is a few units of the last place
-/// of the position, which for steep profiles may be a jump of the moment above its tolerance.
+/// A contact that would have to move by less than this fraction of the beam is at the right position. This is a few units in the last
+/// place of the position, and for steep profiles it can cause a jump of the moment above its tolerance.
 pub(super) const PLACE: f64 = 4e-15;
 
-/// If a contact would have to move by more than this fraction of a span next to it, that span has at most a few correct digits. Its
-/// results, for example the lift-off next to a support, are then rounding, however small its forces are compared with the load.
+/// If a contact would have to move by more than this fraction of a span next to it, that span does not have even one or two correct
+/// digits. Its results, for example the lift-off next to a support, are then rounding, however small its forces are compared with the
+/// load.
 const UNRESOLVED: f64 = 1e-3;
 
 /// Factor for an unbalanced force: a billionth of the forces is allowed, as [`CERTIFIED_RESIDUAL`] allows it for a discretised answer. A
