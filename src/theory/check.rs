@@ -101,8 +101,7 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Check {
     let forces = forces(given, list, &spans);
     let moments = moments(given, list, &spans);
     let scale = Scale::of(given, &pieces, &forces);
-    // Near a span that is too short to be resolved no digit is correct. Only tensile forces that are large on the scale of all forces are
-    // then violations.
+    // Near a span that is too short to be resolved no digit is correct: only tension that is large among all forces is a violation.
     let resolved = judge.equations(given, list, &spans, &scale);
     // NaN does not count as compression.
     let presses = |node: &Node, force: f64| node.support(given).is_some() || 0.0 <= force;
@@ -132,8 +131,7 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Check {
             if let Some(moment) = pulling_couple(given, index, rests, jump) {
                 judge.measure(moment, scale.moment, i, Violation::Couple { at, moment });
             }
-            // A beam that the foundation restrains on both sides of a support has one slope there, so the foundation must have one slope
-            // too.
+            // A beam that follows the foundation on both sides of a support has one slope there, so the foundation must too.
             if rests == [true; 2] {
                 let kink = given.breakpoints[given.supports[index].breakpoint].kink.abs();
                 judge.measure(kink * given.length, scale.beside(given, index), i, Violation::Broken { at });
