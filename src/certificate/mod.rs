@@ -1,12 +1,13 @@
-//! The judge: how far an answer is from solving its discrete problem ([`Kkt`]), and how far from the truth ([`certify`]).
+//! Error bounds: how far an answer is from solving its discrete problem ([`Kkt`]), and how far it is from the true deflection
+//! ([`certify`]).
 //!
-//! It uses no method and no solver, only the scene, the answer and a list of contacts, the witness, from any source.
+//! This module uses no method and no solver, only the scene, the answer and a candidate contact list from any source (the witness).
 //!
-//! [`certify`] proves two-sided bounds for the continuous beam; [`Proof`] does it once for any number of answers.
-//! With the gap `g = u − w0` below the undeflected beam and supports that prescribe `v(x_s) = d_s`, and where the beam is built in
-//! `v'(x_s) = φ_s`: for any deflection `v̂ ≤ g` that its supports hold, and any contact load `p ≥ 0` with support forces `R` of
-//! any sign and their moment field `M` (`M'' = p + Σ R_s δ − q`, couples where the beam is built in, `M = M' = 0` beyond both ends),
-//! with `J` of (17) (Prager and Synge 1947, Repin 2000):
+//! [`certify`] proves two-sided bounds for the continuous beam. [`Proof`] does this once for any number of answers. The gap `g = u − w0`
+//! is the distance of the foundation below the undeflected beam. Supports prescribe `v(x_s) = d_s`, and `v'(x_s) = φ_s` where the beam is
+//! built in. Consider any deflection `v̂ ≤ g` that satisfies the support conditions, and any contact load `p ≥ 0` with reactions `R` of
+//! any sign. Their moment field `M` satisfies `M'' = p + Σ R_s δ − q`, with couples where the beam is built in and `M = M' = 0` beyond
+//! both ends. With `J` of (17) (Prager and Synge 1947, Repin 2000):
 //!
 //! ```text
 //! D(p, R) ≤ J* ≤ J(v̂),     D(p, R) = −½ ∫ M²/EI dx − ∫ g dp − Σ R_s d_s [− Σ couples · φ_s]
@@ -16,26 +17,28 @@
 //! |v − v*| ≤ |v − v̂| + |v̂ − v*|                                          for the deflection v that is judged
 //! ```
 //!
-//! A support that only pushes is a point of the ground: `g` is less there than beside it, and its force is a part of `p`. Nothing
-//! above needs `g` to be continuous. Beside ground that gives it is a support that holds, or none (module `bearings`).
+//! A compression-only support counts as a point of the foundation: `g` is smaller there than next to it, and its force is a part of `p`.
+//! Nothing above requires `g` to be continuous. Next to an elastic foundation such a support counts as a bilateral support, or as none
+//! (module `bearings`).
 //!
-//! The flexibility `c` on other supports, and what takes its place where contact alone holds the beam, is in `kernel/reference.rs`.
+//! The flexibility `c` on other supports, and its replacement where only contact restrains the beam, are in `kernel/reference.rs`.
 //!
-//! This is the paper's closing remark, that the structural stiffness is bounded from both sides if there is no tension and no
-//! penetration between the nodes, carried out.
+//! This carries out the paper's closing remark: the structural stiffness is bounded from both sides if there is no tension and no
+//! penetration between the nodes.
 //!
-//! The pair `(v̂, M)` follows from the **witness**: `v̂` is `g` in its zones and the exact beam between them, with slopes that
-//! follow from the places, by one linear system (module `witness`). For the true list the duality gap is zero, and it grows with the
-//! square of the error of a place. No place is changed. That `v̂` and `p` are admissible is proven in interval arithmetic, everywhere
-//! and for every kind of foundation, and what cannot be proven is corrected, which adds to the duality gap (modules `proof`,
-//! `clearance`, `pressing` of the `kernel`). So a wrong witness makes the bounds wide, and never untrue.
+//! The pair `(v̂, M)` follows from the **witness**. In its zones `v̂` is `g`. Between them `v̂` is the exact beam, with slopes that
+//! follow from the positions by one linear system (module `witness`). For the true list the duality gap is zero. It grows with the square
+//! of the error of a position. No position is changed. Interval arithmetic proves that `v̂` and `p` are admissible, everywhere and for
+//! every kind of foundation. What cannot be proven is corrected, and the correction adds to the duality gap (modules `proof`,
+//! `clearance`, `pressing` of the `kernel`). So a wrong witness makes the bounds wide, but never false.
 //!
-//! What is assumed: a foundation is known to a few units in the last place of its terms. If its depth at a support is
-//! the level of the support but for that, they are level, and the support stands where the ground is; if its slope there is the one
-//! at which the beam is built in but for that, the beam is built in along the ground; points of a polyline that are on one line but
-//! for that, are on one line. `scene::pieces` decides what is equal but for rounding, `scene::balance` whether loads are in balance.
+//! One assumption is made: a foundation is known to a few units in the last place of its terms. Three comparisons are made within this
+//! rounding. If the depth of the foundation at a support equals the level of the support, the support is at the surface of the
+//! foundation. If the slope of the foundation there equals the prescribed slope, the beam is built in along the foundation. Points of a
+//! polyline that are on one line are treated as on one line. `scene::pieces` decides what is equal within rounding, `scene::balance`
+//! whether loads are in balance.
 //!
-//! All numbers are rounded outwards: the inequalities hold for what is printed.
+//! All numbers are rounded outwards: the inequalities are true for the printed numbers.
 
 mod bearings;
 mod beside;
@@ -88,8 +91,8 @@ pub(crate) use witness::tridiagonal;
 ///
 /// # Errors
 ///
-/// Those of [`Proof::of`], and [`SceneError::NotKnown`] of forces that alone do not say how the beam bends: of these a
-/// [`Witness`](crate::Witness) knows more.
+/// The errors of [`Proof::of`], and [`SceneError::NotKnown`] for forces that alone do not determine how the beam bends: a
+/// [`Witness`](crate::Witness) can judge some of these.
 pub fn certify(scene: &Scene, judged: Judged<'_>, witness: &[Contact]) -> Result<Certificate, SceneError> {
     if matches!(judged, Judged::Forces(_)) {
         scene.has_to_bend_under_forces("a bound from a list of contacts")?;
@@ -97,19 +100,19 @@ pub fn certify(scene: &Scene, judged: Judged<'_>, witness: &[Contact]) -> Result
     Ok(Proof::of(scene, witness)?.judge(judged))
 }
 
-/// The pair that a witness proves for a scene, and the bounds from it on any number of deflections.
+/// The pair that a witness proves for a scene, and the bounds that follow for any number of deflections.
 #[derive(Debug)]
 pub struct Proof {
     scaled: Scaled,
     /// With brackets of the greatest and the least deflection of `v̂`.
     pair: Option<(Pair, [Interval; 2])>,
-    /// The bounds that do not depend on the deflection that is judged.
+    /// The bounds that do not depend on the judged deflection.
     known: Certificate,
 }
 
 impl Proof {
-    /// From a witness: the contacts of the beam, from any source. Only their places count, and where one of them has a length it
-    /// is a zone. A witness that is wrong makes the bounds wide, and never untrue.
+    /// Proves a pair from a witness: the contacts of the beam, from any source. Only their positions count. A contact with a length is a
+    /// zone. A wrong witness makes the bounds wide, but never false.
     ///
     /// # Errors
     ///
@@ -118,13 +121,13 @@ impl Proof {
         Self::of_held(scene, witness, &[], &[], &[])
     }
 
-    /// The same with the places of supports at which the ground holds the slope, and whether it does so from the left; with the forces
-    /// of the supports that give, from left to right, and by how much each makes the moment jump; and under an axial force with the
-    /// deflection between contacts, in the units of [`Scene::scaled`].
+    /// Proves a pair from a witness and more data: `held` contains the positions of supports at which the foundation fixes the slope, and
+    /// whether it does so from the left; `springs` the forces of elastic supports from left to right, and the jump of the moment at each;
+    /// `hung` the deflection between contacts under an axial force, in the units of [`Scene::scaled`].
     ///
     /// # Errors
     ///
-    /// Those of [`Proof::of`].
+    /// The errors of [`Proof::of`].
     pub(crate) fn of_held(
         scene: &Scene,
         witness: &[Contact],
@@ -136,7 +139,7 @@ impl Proof {
         let scaled = scene.scaled()?;
         let Scale { length, force, .. } = scaled.scale;
         let said = scaled.scene.springs().enumerate().map(|(i, spring)| {
-            /// Nearer to the ground than this share of its depth, no rounding says whether the beam touches it.
+            /// If the clearance is below this share of gap or deflection, rounding leaves open whether the beam touches the foundation.
             const NEAR: f64 = 1e-9;
             let [pushed, turned] = springs.get(i).copied().unwrap_or_default();
             let (pushed, gap) = (pushed / force, scaled.scene.gap(spring.at));
@@ -152,8 +155,8 @@ impl Proof {
         Ok(Self { scaled, pair, known })
     }
 
-    /// The same on ground that gives, from stretches in the units of [`Scene::scaled`]: where it presses, and how the beam is sunk into
-    /// it. Those of a wrong answer make the bounds wide, and never untrue.
+    /// Proves a pair on an elastic foundation from stretches in the units of [`Scene::scaled`]: the parts in which the foundation is
+    /// compressed, and the penetration of the beam there. Stretches of a wrong answer make the bounds wide, but never false.
     ///
     /// # Errors
     ///
@@ -162,7 +165,7 @@ impl Proof {
         Self::of_stretches_on(scene, witness, (&[], &[]))
     }
 
-    /// The same with what is said of supports that give, and under an axial force of the deflection of what hangs, as for `of_held`.
+    /// The same with data on elastic supports and, under an axial force, with the deflection between contacts, as for `of_held`.
     pub(crate) fn of_stretches_on(scene: &Scene, witness: &[Stretch], of: Said<'_>) -> Result<Self, SceneError> {
         let (on, hung) = of;
         let scaled = scene.scaled()?;
@@ -181,7 +184,7 @@ impl Proof {
         Ok(Self { scaled, pair, known })
     }
 
-    /// Bounds for a deflection; none of what [`certify`] refuses.
+    /// Bounds for a deflection. For forces that [`certify`] rejects, the bounds on the deflection are infinite.
     #[must_use]
     pub fn judge(&self, judged: Judged<'_>) -> Certificate {
         let Scaled { scene, scale, balance } = &self.scaled;
@@ -195,18 +198,18 @@ impl Proof {
             }
             Judged::Witness => of_witness(pair, *ends, scene.beam()),
         });
-        // Of a beam that may turn any position is as good as that of the witness, which is not the one that is given.
+        // For a beam that can rotate, any position is as good as the position of the witness, which is not a given deflection.
         let given = !(self.known.up_to_a_turn.is_some() && matches!(judged, Judged::Witness));
         self.with(known, given)
     }
 
-    /// Bounds for a deflection by parts, from end to end, in the units of [`Scene::scaled`].
+    /// Bounds for a deflection given by parts from end to end, in the units of [`Scene::scaled`].
     pub(crate) fn judge_curve(&self, curve: &[Hung]) -> Certificate {
         let curves: Vec<_> = curve.iter().map(Hung::curve).collect();
         self.with(self.pair.as_ref().and_then(|(pair, _)| of_curves(self.scaled.scene.beam(), pair, &curves)), true)
     }
 
-    /// What is known of any deflection, and of one of which the error is at most so large.
+    /// The bounds for any deflection, completed by the error bound of one.
     fn with(&self, known: Option<(Error, f64)>, given: bool) -> Certificate {
         let (certificate, scale) = (self.known.clone(), &self.scaled.scale);
         let Some((error, least)) = known else { return certificate };
@@ -223,7 +226,7 @@ impl Proof {
     }
 }
 
-/// A pair with brackets of the greatest and the least deflection of `v̂`, and the bounds on any deflection.
+/// A pair with brackets of the greatest and the least deflection of `v̂`, and the bounds for any deflection.
 fn of_pair(
     enclosed: &EnclosedScene<'_>,
     scaled: &Scaled,
@@ -235,10 +238,11 @@ fn of_pair(
     (Some((pair, ends)), known)
 }
 
-/// The pair that a list of contacts proves; if that is not sharp, the best of it, of the list with corners that are touched besides, of
-/// that without contacts of no force, and of a beam that touches nowhere. Whatever the list, there is a bound for a beam that its supports hold.
+/// The pair that a list of contacts proves. If it is not sharp, the best of four: the pair of the list, of the list with touched corners
+/// added, of the list without contacts of zero force, and of a beam without contact. So there is a bound for every beam that its supports
+/// hold, whatever the list.
 ///
-/// A beam in balance above a corner may turn about it, unless the ground beside it leaves it one position: that is tried first.
+/// A beam in balance above a corner can rotate about it, unless the foundation next to it leaves only one position. This is tried first.
 fn best_pair(enclosed: &EnclosedScene<'_>, contacts: &[Contact], held: &[(f64, bool)], scale: &Scale) -> Option<Pair> {
     if enclosed.balanced_at.is_some() {
         let stopped = EnclosedScene { balanced_at: None, ..*enclosed };
@@ -266,7 +270,7 @@ fn best_pair(enclosed: &EnclosedScene<'_>, contacts: &[Contact], held: &[(f64, b
         let touched = proven.as_ref().and_then(|(pair, _)| witness::with_touched(enclosed, contacts, pair, scale));
         proven = better(proven, touched.and_then(|touched| of(&touched)));
     }
-    // A place that is touched without a force is no contact where another one is next to it.
+    // A touched position without a force is no contact if another contact is next to it.
     let presses = |contact: &&Contact| contact.from < contact.to || contact.force.abs() > 0.0;
     if is_open(&proven) && !contacts.iter().all(|contact| presses(&contact)) {
         proven = better(proven, of(&contacts.iter().filter(presses).copied().collect::<Vec<_>>()));
@@ -280,57 +284,59 @@ fn best_pair(enclosed: &EnclosedScene<'_>, contacts: &[Contact], held: &[(f64, b
 
 /// Whether a pair bounds the deflection to a millionth of its largest value.
 fn is_sharp(enclosed: &EnclosedScene<'_>, pair: &Pair) -> bool {
-    /// What an exact answer has to be certain to ([`EXACT`](crate::verdict::EXACT)), which the judge does not ask.
+    /// The required accuracy of an exact answer ([`EXACT`](crate::verdict::EXACT)), repeated here because the certificate does not use
+    /// the verdict.
     const SHARP: f64 = 1e-6;
     let width = |p: &Piece| Interval::exact(p.to) - Interval::exact(p.from);
     let size = pair.pieces.iter().fold(0.0, |most: f64, p| most.max(p.v.range(width(p)).magnitude()));
     distance::anywhere(pair, enclosed.stiffness, enclosed.length) <= SHARP * size
 }
 
-/// Bounds that hold for the continuous beam, in the units of the scene. Infinite where nothing could be shown.
+/// Bounds for the continuous beam, in the units of the scene. Infinite where nothing could be proven.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Certificate {
-    /// At most `J*`: `D(p)` of the contact load.
+    /// A lower bound of `J*`: `D(p)` of the contact load.
     pub energy_lower: f64,
-    /// At least `J*`: `J(v̂)` of an admissible deflection.
+    /// An upper bound of `J*`: `J(v̂)` of an admissible deflection.
     pub energy_upper: f64,
-    /// The duality gap: at least `J(v̂) − D(p)`, without cancellation.
+    /// The duality gap: an upper bound of `J(v̂) − D(p)`, without cancellation.
     pub gap: f64,
-    /// At least `max |v − v*|` over the whole beam; see [`up_to_a_turn`](Self::up_to_a_turn).
+    /// An upper bound of `max |v − v*|` over the whole beam; see [`up_to_a_turn`](Self::up_to_a_turn).
     pub deflection_error: f64,
-    /// Where that bound is largest.
+    /// Position of the largest error bound.
     pub deflection_error_at: f64,
-    /// At least `max |v̂ − v*|` of the admissible deflection `v̂` that was built: how well the true deflection is known, even
-    /// if the one that was judged is far off.
+    /// An upper bound of `max |v̂ − v*|` for the constructed admissible deflection `v̂`. It shows how well the true deflection is known,
+    /// even if the judged deflection is far from it.
     pub best_deflection_error: f64,
-    /// The largest magnitude of the deflection that was judged, rounded up.
+    /// The largest magnitude of the judged deflection, rounded up.
     pub deflection: f64,
-    /// The same, rounded down: what is reached somewhere; zero for a deflection at the nodes of a grid.
+    /// The largest magnitude of the judged deflection, rounded down: a value that is reached somewhere; zero for a deflection at grid
+    /// nodes.
     pub deflection_at_least: f64,
-    /// True if the beam is proven to be at rest and so is what was judged: in dimensionless numbers deflection and error are zero, but
-    /// for the smallest normal number, by which bounds are rounded up.
+    /// Whether the beam and the judged deflection are both proven to be at rest: in dimensionless numbers, deflection and error are zero
+    /// except for the smallest normal number, by which bounds are rounded up.
     pub at_rest: bool,
-    /// The place about which the beam can turn without a force, if neither supports nor loads determine its position: the true
-    /// deflection is known up to such a turn, and the errors of deflections are those after the best turn.
+    /// The position about which the beam can rotate without a force, if neither supports nor loads determine its position. The true
+    /// deflection is then known up to such a rotation, and the errors of deflections are errors after the best rotation.
     pub up_to_a_turn: Option<f64>,
-    /// What the forces of all supports lie between, from left to right; [`None`] where nothing could be shown.
+    /// Brackets of all reactions, from left to right; [`None`] where nothing could be proven.
     pub reactions: Vec<Option<[f64; 2]>>,
-    /// What all contacts together exert upwards lies between; [`None`] where that of a support is not known.
+    /// A bracket of the total contact force, upwards; [`None`] if the force of a support is not known.
     pub contact_force: Option<[f64; 2]>,
-    /// What the greatest deflection of the beam lies between; [`None`] where nothing could be shown, and of one that may turn.
+    /// A bracket of the greatest deflection of the beam; [`None`] where nothing could be proven, and for a beam that can rotate.
     pub deflection_max: Option<[f64; 2]>,
-    /// What the greatest moment of the beam lies between, and the least one; [`None`] where nothing could be shown.
+    /// Brackets of the greatest and of the least moment of the beam; [`None`] where nothing could be proven.
     pub moments: [Option<[f64; 2]>; 2],
-    /// What the structural stiffness `D` lies between; see [`stiffness`]. [`None`] if the sign of `J*` is open, and for any beam
-    /// but the paper's: what a settlement takes up is not done by the load.
+    /// A bracket of the structural stiffness `D`; see [`stiffness`]. [`None`] if the sign of `J*` is open, and for any beam other than
+    /// the paper's, because the load does not do the work of a settlement.
     pub stiffness: Option<[f64; 2]>,
-    /// True if the true deflection is known to a millionth of its largest value: the contacts of the witness are those of the
-    /// beam, but for differences below that. Otherwise the bounds are coarse.
+    /// Whether the true deflection is known to a millionth of its largest value. The contacts of the witness are then the contacts of the
+    /// beam, except for smaller differences. Otherwise the bounds are coarse.
     pub contacts_proven: bool,
 }
 
 impl Certificate {
-    /// Nothing could be shown of a beam on some number of supports.
+    /// The certificate of a beam on some number of supports for which nothing could be proven.
     fn unknown(supports: usize) -> Self {
         Self {
             energy_lower: f64::NEG_INFINITY,
@@ -352,14 +358,14 @@ impl Certificate {
         }
     }
 
-    /// The brackets to set beside the greatest and the least moment of a state: those of beam theory. [`None`] for the moments of
-    /// a grid, of which nothing is guaranteed.
+    /// The brackets of the greatest and the least moment, for a state of beam theory. [`None`] for the moments of a grid, for which
+    /// nothing is proven.
     #[must_use]
     pub fn moments_beside(&self, state: &ContactState) -> Option<[Option<[f64; 2]>; 2]> {
         state.nodes.is_none().then_some(self.moments)
     }
 
-    /// What was proven of any deflection. All factors are powers of two: only exponents change.
+    /// The bounds for any deflection. All unit factors are powers of two: only exponents change.
     fn of_any(enclosed: &EnclosedScene<'_>, scaled: &Scaled, pair: &Pair, [greatest, _]: [Interval; 2]) -> Self {
         let (scene, scale, gap) = (&scaled.scene, &scaled.scale, pair.gap);
         let standing = Standing::of(enclosed, scene.load());

@@ -39,8 +39,8 @@
 //! `4 |N| max |v* − v̂|`.
 //!
 //! Two solves of a beam with a kink at `x` would also bound `M*(x)`, since the energy is convex in the angle and its derivative is
-//! `−M*(x)`. But they bound it at one position only, and only to the square root of the rounding of an energy. A gap has the size of the
-//! square of a rounding, and the bound here is proportional to its cube root.
+//! `−M*(x)`. But they bound it at one position only, and only to an error of the order `√ε`, with the relative rounding `ε` of an energy.
+//! A gap that is nothing but rounding is of the order `ε²`. The bound here is proportional to its cube root, so of the order `ε^(2/3)`.
 //!
 //! On an elastic foundation contact is never concentrated, and sharper bounds exist (`on_springs`).
 

@@ -1,18 +1,19 @@
-//! Forces that a program computed on the springs of an elastic foundation: over which length each acts, and where a beam is that they
-//! alone hold.
+//! Forces that a program computed for the springs of an elastic foundation: the length over which each acts, and the position of a beam
+//! that only these forces hold.
 //!
-//! The spring at a node of a mesh stands for the foundation on its share of the beam. So each force is spread evenly over half the
+//! The spring at a node of a mesh stands for the foundation on its share of the beam. So each force is distributed evenly over half the
 //! distance to the nearer of its neighbours, on both sides: its resultant stays where it was given. A force at an end of the beam, at a
-//! support that only pushes or without a neighbour stays concentrated. Its spring is that of the foundation on this share, `∫k`.
+//! compression-only support or without a neighbour stays concentrated. The spring stiffness is `∫k` over the length of the force.
 //!
-//! Where supports do not hold the beam, forces bend it, and say how deep it is as springs do, over the width `w` of each:
+//! If the supports do not hold the beam, the forces determine both how it bends and how deep it is, like springs of the width `w` of each
+//! force:
 //!
 //! ```text
 //! v(x_i) ≈ g(x_i) + f_i/∫k,      v + a + b x, or v + b (x − x_s) on a single support, by least squares
 //! ```
 //!
-//! What is judged is the beam under the true load and these pressures, in this position. The bound on its error holds whatever the
-//! forces are.
+//! The judged deflection is the beam under the true load and these pressures, in this position. The bound on its error is true whatever
+//! the forces are.
 
 use super::contact_load::{self, ContactLoad, bent};
 use super::kernel::contact_node::EnclosedScene;
@@ -24,13 +25,13 @@ use crate::scene::{LinearLoad, Load, Scene};
 /// A cell of a deflection: `v(from + s)`.
 type Curve = ([f64; 2], Polynomial);
 
-/// A force that presses, over how much of the beam it is spread; zero where it is concentrated.
+/// A contact force and the width over which it is distributed; zero if it is concentrated.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Spread {
     pub(crate) x: f64,
     pub(crate) force: f64,
     pub(crate) width: f64,
-    /// `∫k` over that.
+    /// `∫k` over this width.
     pub(crate) spring: f64,
 }
 
@@ -61,7 +62,7 @@ pub(crate) fn spread(scene: &Scene, forces: &ContactLoad) -> Vec<Spread> {
     forces.pressing.iter().map(one).collect()
 }
 
-/// The deflection that contact forces cause, those of an elastic foundation as those of springs.
+/// The deflection that contact forces cause. The forces of an elastic foundation act like forces of springs.
 pub(super) fn caused(scene: &Scene, enclosed: &EnclosedScene<'_>, forces: &ContactLoad) -> Option<Vec<Curve>> {
     match scene.ground_stiffness() {
         Some(_) => deflection(scene, enclosed, forces),
@@ -69,7 +70,7 @@ pub(super) fn caused(scene: &Scene, enclosed: &EnclosedScene<'_>, forces: &Conta
     }
 }
 
-/// The deflection that forces of springs cause; [`None`] where they say nothing of its position.
+/// The deflection that spring forces cause; [`None`] if they do not determine its position.
 pub(super) fn deflection(scene: &Scene, enclosed: &EnclosedScene<'_>, forces: &ContactLoad) -> Option<Vec<Curve>> {
     scene.ground_stiffness()?;
     let given = spread(scene, forces);
@@ -99,14 +100,14 @@ pub(super) fn deflection(scene: &Scene, enclosed: &EnclosedScene<'_>, forces: &C
     Some(curves)
 }
 
-/// `v` at a place.
+/// `v` at a position.
 pub(super) fn at(curves: &[Curve], x: f64) -> f64 {
     let i = curves.partition_point(|(part, _)| part[1] < x).min(curves.len() - 1);
     let ([from, _], v) = &curves[i];
     v.at(Interval::exact(x) - Interval::exact(*from)).middle()
 }
 
-/// `a` and `b`; about a place, if that is given, `a = −b x_s`.
+/// `a` and `b`; with a given support position, `a = −b x_s`.
 fn placed(enclosed: &EnclosedScene<'_>, curves: &[Curve], given: &[Spread], about: Option<f64>) -> Option<[f64; 2]> {
     let lacking = given.iter().filter(|f| 0.0 < f.spring).map(|f| {
         let sunk = f.force / f.spring;
@@ -129,8 +130,8 @@ mod tests {
     use crate::certificate::in_intervals;
     use crate::scene::{Balance, Beam, Foundation, PointLoad};
 
-    /// A beam under its weight on level springs sinks by `q/k`, and does not bend: so it does under forces that are those of the springs
-    /// of any mesh, where their shares are even; and one that is moved and turned is put where the springs say.
+    /// A beam under its own weight on springs at one level sinks by `q/k` without bending. It does the same under the spring forces of
+    /// any mesh with equal shares. Moved and rotated, it is placed at the depth that the springs imply.
     #[test]
     fn forces_say_where_a_beam_is() {
         const LENGTH: f64 = 8.0;
@@ -146,12 +147,12 @@ mod tests {
             let expected = 0.25 + 0.125 * x + 0.4;
             assert!((at(&curves, x) - expected).abs() <= 1e-13, "{} for {expected} at {x}", at(&curves, x));
         }
-        // One force says how deep the beam is, and not how it turns.
+        // One force determines how deep the beam is, but not its rotation.
         let one = ContactLoad::new(LENGTH, [(4.0, 16.0), (5.0, 0.0)]).expect("a force");
         assert!(in_intervals(&scene, Balance::Held, |enclosed| deflection(&scene, enclosed, &one)).is_none());
     }
 
-    /// Half the distance to the nearer neighbour, zeros among them; none at an end, and none alone.
+    /// Half the distance to the nearer neighbour, which may have zero force; concentrated at an end, and without a neighbour.
     #[test]
     fn forces_have_their_share_of_the_beam() {
         let beam = Beam::new(8.0, 3.0).expect("positive");

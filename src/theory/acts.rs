@@ -1,10 +1,10 @@
-//! What acts at a place of the beam: it makes `e v''` and `e v'''` jump, and changes nothing else there.
+//! Concentrated actions on the beam: each makes `e v''` and `e v'''` jump at its position, and changes nothing else there.
 //!
-//! Here alone loads of a scene become such jumps. Who carries them on need not know of which loads they are.
+//! Only this module converts the loads of a scene into such jumps. The other modules use the jumps without knowing the loads.
 
 use crate::scene::Concentrated;
 
-/// What acts at a place, over `EI₀`.
+/// The actions at a position, over `EI₀`.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Acts {
     couple: f64,
@@ -12,7 +12,7 @@ pub(super) struct Acts {
 }
 
 impl Acts {
-    /// By how much `e v''` and `e v'''` jump.
+    /// From the jumps of `e v''` and `e v'''`.
     pub(super) fn new([couple, force]: [f64; 2]) -> Self {
         Self { couple, force }
     }
@@ -21,11 +21,11 @@ impl Acts {
     pub(super) fn add(&mut self, load: Concentrated, stiffness: f64) {
         let Concentrated { at: _, force, couple } = load;
         self.force += force / stiffness;
-        // The moment grows by it, and `v''` falls.
+        // A couple increases the moment, so `v''` decreases.
         self.couple -= couple / stiffness;
     }
 
-    /// So many times what acts here.
+    /// The actions times a factor.
     pub(super) fn times(self, share: f64) -> Self {
         Self { couple: share * self.couple, force: share * self.force }
     }
@@ -35,27 +35,27 @@ impl Acts {
         self.force != 0.0 || self.couple != 0.0
     }
 
-    /// By how much `e v''` jumps.
+    /// The jump of `e v''`.
     pub(super) fn couple(self) -> f64 {
         self.couple
     }
 
-    /// By how much `e v'''` jumps: the force, downwards.
+    /// The jump of `e v'''`: the force, downwards.
     pub(super) fn force(self) -> f64 {
         self.force
     }
 
-    /// By how much `e v''` and `e v'''` jump.
+    /// The jumps of `e v''` and `e v'''`.
     pub(super) fn jumps(self) -> [f64; 2] {
         [self.couple, self.force]
     }
 
-    /// The work done by it where the beam has this deflection and slope.
+    /// The work on a beam that has this deflection and slope at the position.
     pub(super) fn work(self, [v, v1]: [f64; 2]) -> f64 {
         self.force * v - self.couple * v1
     }
 
-    /// How large it is as a force, in a beam of this length; what stands on a support goes through it, however large it is.
+    /// The magnitude as a force, in a beam of this length. A load on a support passes directly into it, so its force does not count.
     pub(super) fn size(self, length: f64, is_on_support: bool) -> f64 {
         (if is_on_support { 0.0 } else { self.force.abs() }) + self.couple.abs() / length
     }

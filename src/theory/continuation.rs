@@ -61,7 +61,7 @@ impl Exact {
             return stopped(&given, &list).map(|condition| vec![condition]);
         }
         let checked = check(&given, &list);
-        // An elastic stop that pulls, or one that the beam has come down on, is no condition that is followed.
+        // An elastic stop in tension, or an inactive one that the beam penetrates, is not a condition that can be followed.
         wrong(&given, &checked).is_empty().then_some(())?;
         Some(violated_conditions(&given, &list, &checked, &self.pattern().pulls))
     }

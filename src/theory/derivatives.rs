@@ -1,7 +1,7 @@
-//! Derivatives of an exact answer by the numbers of its scene, in the units of the scene.
+//! Derivatives of an exact answer with respect to the numbers of its scene, in the units of the scene.
 //!
-//! Places and forces follow from module `sensitivity`. The energy is the least one, so that its derivative is that of the functional
-//! and of the constraints alone (envelope theorem), with the forces as multipliers:
+//! The derivatives of positions and forces are computed in module `sensitivity`. The energy is a minimum, so its derivative is the
+//! derivative of the functional and of the constraints alone (envelope theorem), with the forces as multipliers:
 //!
 //! ```text
 //! ∂J/∂(depth) = −Σ R     ∂J/∂EI = ½∫v''²     ∂J/∂q₀ = −∫v     ∂J/∂P = −v(a)     ∂J/∂a = −P v'(a)     ∂J/∂d_s = −R_s
@@ -18,10 +18,10 @@ use super::springs::Springs;
 use crate::scene::{Quantity, Scene};
 use crate::state::Contact;
 
-/// By what an answer is differentiated.
+/// The variable of a derivative.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum By {
-    /// The depth of all of the ground \[length\].
+    /// The depth of the whole foundation \[length\].
     Depth,
     /// A number of the scene.
     Number(Quantity),
@@ -36,32 +36,32 @@ impl std::fmt::Display for By {
     }
 }
 
-/// The derivatives of an answer by one number; each has the unit of what is differentiated over that of the number.
+/// The derivatives of an answer with respect to one number. Each has the unit of the result over the unit of the number.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Derivative {
     /// The number.
     pub by: By,
-    /// True at a change of the kind of the answer, or where 1e-9 of the size of the number leads to one: to the other side the derivatives
-    /// are others. True as well where the scene there is refused.
+    /// Whether the derivatives are valid on one side only: the kind of the answer changes here, or within a negligible change of the
+    /// number, and the derivatives on the other side differ. Also true if the scene on the other side is rejected.
     pub one_sided: bool,
-    /// Why numbers below are missing, that is not numbers; [`None`] if all of them are there.
+    /// Why numbers below are missing (NaN); [`None`] if all exist.
     pub missing: Option<Missing>,
-    /// Of the forces of the supports, from left to right.
+    /// Derivatives of the reactions, from left to right.
     pub supports: Vec<f64>,
-    /// Of the contacts, in their order.
+    /// Derivatives of the contacts, in their order.
     pub contacts: Vec<ContactDerivative>,
-    /// Of the total contact force. It includes contacts that begin to press.
+    /// Derivative of the total contact force. It includes contacts that begin to press.
     pub contact_force: f64,
-    /// Of the energy `J`.
+    /// Derivative of the energy `J`.
     pub energy: f64,
 }
 
-/// Why a derivative is not there.
+/// Why a derivative is missing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Missing {
-    /// On neither side of the scene are the contacts those of this answer.
+    /// On neither side of the scene are the contacts the same as in this answer.
     Ends,
-    /// Nothing presses where a contact ends, so that the place is not determined.
+    /// There is no pressure where a contact ends, so its position is not determined.
     Undetermined,
 }
 
@@ -79,47 +79,48 @@ impl Missing {
 /// The derivatives of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactDerivative {
-    /// Of its left end.
+    /// Derivative of its left end.
     pub from: f64,
-    /// Of its right end.
+    /// Derivative of its right end.
     pub to: f64,
-    /// Of its resultant.
+    /// Derivative of its resultant.
     pub force: f64,
-    /// Of the forces at the ends of a zone.
+    /// Derivatives of the forces at the ends of a zone.
     pub end_forces: Option<[f64; 2]>,
 }
 
 impl ContactDerivative {
-    /// That of a contact, or of a zone, without numbers.
+    /// A point contact or a zone without numbers.
     fn none(is_zone: bool) -> Self {
         let end_forces = is_zone.then_some([f64::NAN; 2]);
         Self { from: f64::NAN, to: f64::NAN, force: f64::NAN, end_forces }
     }
 }
 
-/// Numbers of all derivatives together at most, with the unknowns of the beams that they are computed from: some 400 MB as text, and
-/// some seconds on ground that gives, where each has a beam of its own.
+/// Limit of the count of all numbers together, including the unknowns of the beams from which they are computed. It corresponds to about
+/// 400 MB as text, and to a few seconds on an elastic foundation, where each derivative has a beam of its own.
 const MOST_NUMBERS: usize = 20_000_000;
 
-/// Pieces that answers beside this one have together at most. *Tuned*: on 1,900 point loads, of which each has a piece, 7,600 answers take
-/// seven seconds.
+/// Limit of the pieces of all neighbouring answers together. *Tuned*: on 1,900 point loads, each with a piece of its own, 7,600 answers
+/// take seven seconds.
 const MOST_PIECES: usize = 16_000_000;
 
-/// A node takes as much as so many pieces. *Tuned* on 3,001 supports, where an answer takes ten times as long as on 1,900 point loads.
+/// Cost of a node, in pieces. *Tuned* on 3,001 supports, where an answer takes ten times as long as on 1,900 point loads.
 const OF_A_NODE: usize = 6;
 
 impl Exact {
-    /// The derivatives of this solution of `scene` by the depth of all of the ground, the bending stiffness, the uniform load, force
-    /// and place of each point load, level and place of each support; of a beam with supports that give, joints, steps or an axial force
-    /// by their numbers and couples besides, and of an elastic foundation by its steps. Left out is what has none: all of a beam whose position is not certain.
+    /// The derivatives of this solution of `scene` with respect to the depth of the whole foundation, the bending stiffness, the uniform
+    /// load, force and position of each point load, and level and position of each support. For a beam with elastic supports, joints,
+    /// steps or an axial force, also with respect to their numbers and to couples; on an elastic foundation, also to its steps.
+    /// Derivatives that do not exist are omitted: all of them for a beam whose position is not determined.
     #[must_use]
     pub fn derivatives(&self, scene: &Scene) -> Vec<Derivative> {
         let (derivatives, _) = self.derivatives_and_left_out(scene);
         derivatives
     }
 
-    /// The derivatives, and how many are left out of them: for there are too many numbers in all, or for it would take too many answers beside
-    /// this one to say on which sides they hold.
+    /// The derivatives, and the number of omitted ones: there are too many numbers in all, or too many neighbouring answers would be
+    /// needed to find the sides on which they are valid.
     #[must_use]
     pub fn derivatives_and_left_out(&self, scene: &Scene) -> (Vec<Derivative>, usize) {
         let [asked, beyond] = self.computed_and_left_out(scene);
@@ -135,13 +136,13 @@ impl Exact {
             let all = self.derivatives_on_springs(springs, scene, asked).into_iter();
             return (all.chain(steps).collect(), left_out);
         }
-        // A beam that may turn has none to leave out.
+        // A beam that can rotate has no derivatives, so none are omitted.
         let (count, all) = (asked.len(), self.derivatives_within(scene, asked, MOST_PIECES));
         let left_out = beyond.len() + all.as_ref().map_or(0, |all| count - all.len());
         (all.unwrap_or_default(), left_out)
     }
 
-    /// Those of a general beam, as many as are not too much work.
+    /// The derivatives of a general beam, up to the limit of work.
     fn moved_derivatives(&self, scene: &Scene, asked: Vec<Asked>) -> Vec<Derivative> {
         let lies = self.lies_without_load();
         if !self.solved || self.state.standing.is_some_and(|standing| standing.motion.is_some()) {
@@ -152,12 +153,12 @@ impl Exact {
         asked.into_iter().take(most).map(|asked| self.moved_derivative(scene, asked, lies)).collect()
     }
 
-    /// Those of the derivatives that are asked for that take no more than so many pieces of answers beside this one; [`None`] if the beam is
-    /// free to turn.
+    /// The requested derivatives, as far as their neighbouring answers have no more than this number of pieces; [`None`] if the beam can
+    /// rotate.
     fn derivatives_within(&self, scene: &Scene, asked: Vec<Asked>, pieces: usize) -> Option<Vec<Derivative>> {
         let linear = self.sensitivity()?;
         let leeway = Leeway::of(self, scene);
-        // What touches without a load may as well not.
+        // A contact that touches without a load may also not touch.
         let lies = self.lies_without_load();
         let mut answers = pieces / (self.given.cells.len() + OF_A_NODE * self.list.nodes.len());
         let of = |asked: Asked| {
@@ -175,7 +176,7 @@ impl Exact {
         Some(asked.into_iter().filter_map(of).collect())
     }
 
-    /// What is computed, of [`MOST_NUMBERS`] at most, and what is left out.
+    /// The derivatives to be computed, within [`MOST_NUMBERS`], and the omitted ones.
     fn computed_and_left_out(&self, scene: &Scene) -> [Vec<Asked>; 2] {
         let unknowns = self.springs.as_ref().map_or(0, Springs::unknowns);
         let most = MOST_NUMBERS / (unknowns + self.state.supports.len() + 5 * self.state.contacts.len() + 1);
@@ -188,7 +189,7 @@ impl Exact {
         [asked, left_out]
     }
 
-    /// Whether nothing gives but the beam, which does not change and which nothing pulls at: others answer in another way.
+    /// Whether the beam is uniform, has no axial force and no elastic supports. Derivatives of other beams are computed in another way.
     fn is_linear(&self) -> bool {
         self.given.divisions.is_empty() && self.given.tension == 0.0 && self.given.is_firm()
     }
@@ -197,7 +198,7 @@ impl Exact {
         self.is_linear().then(|| Sensitivity::of(&self.given, &self.list, &self.spans, &self.forces))?
     }
 
-    /// The derivative that is asked for; `holds` says on which sides of the scene the contacts are the same.
+    /// The requested derivative; `holds` contains the sides of the scene on which the contacts are the same.
     pub(super) fn derivative(
         &self,
         linear: &Sensitivity<'_>,
@@ -209,7 +210,7 @@ impl Exact {
         let nodes = &self.list.nodes;
         let side = usize::from(holds != [true, false]);
         let (of, towards, changes) = (asked.change[side], [-1.0, 1.0][side], &sides[side]);
-        // The same contacts may go on in another way: a load that stands at the end of a zone comes into it, or leaves it.
+        // The same contacts can continue differently on both sides: a load at the end of a zone enters the zone, or leaves it.
         let one_sided = holds != [true; 2] || sides[0] != sides[1];
         let scaled = Scaled { exact: self, of, unit, towards };
         let (mut supports, mut contacts) = (Vec::new(), Vec::new());
@@ -231,7 +232,7 @@ impl Exact {
                 supports.push((node.x, scaled.force(|| self.exerted(i), changes[i].force)));
             }
         }
-        // The beam stays clear of a support that it has lifted off.
+        // The beam stays clear of a support from which it has lifted off.
         let lifted = self.given.bearings.iter().map(|&at| self.given.breakpoints[at].x);
         let lifted = lifted.filter(|at| nodes.binary_search_by(|node| node.x.total_cmp(at)).is_err());
         supports.extend(lifted.map(|at| (at, 0.0)));
@@ -252,8 +253,8 @@ impl Exact {
         if holds == [false; 2] { there.without_numbers() } else { there }
     }
 
-    /// The derivatives of the contacts that press, from those of the contacts of the list, and that of the total contact force. A part of
-    /// a contact has none.
+    /// The derivatives of the contacts that press, from the derivatives of the contacts of the list, and the derivative of the total
+    /// contact force. A part of a contact has no derivatives.
     pub(super) fn of_pressing(&self, listed: &[ContactDerivative]) -> (Vec<ContactDerivative>, f64) {
         let mut next = 0;
         let of = |contact: &Contact| {
@@ -266,17 +267,17 @@ impl Exact {
         (contacts, listed.iter().fold(0.0, |sum, derivative| sum + derivative.force))
     }
 
-    /// What the support at node `i` exerts, over `EI`: one that holds the beam with the load that stands on it.
+    /// The force of the support at node `i`, over `EI`; for a bilateral support including the load directly on it.
     pub(super) fn exerted(&self, i: usize) -> f64 {
         self.forces[i] + self.list.nodes[i].support(&self.given).map_or(0.0, |_| standing(&self.given, &self.list, i))
     }
 
-    /// The derivative of `J / EI`, of `J` by the logarithm of `EI`.
+    /// The derivative of `J / EI`; for the stiffness, the derivative of `J` with respect to the logarithm of `EI`, over `EI`.
     fn energy_by(&self, of: Change, changes: &[NodeChange]) -> f64 {
         let (given, scale) = (&self.given, &self.scale);
         let deflection = |at: f64| self.deflection(at * scale.length) / scale.depth;
         match of {
-            // The energy of a part of the ground is not asked for, and rigid ground has no stiffness.
+            // The energy of a part of the foundation is not requested here, and a rigid foundation has no stiffness.
             Change::GroundUnder(..) | Change::Stiffen => 0.0,
             Change::Ground => {
                 let contact = self.state.contact_force() / (self.stiffness * scale.force);
@@ -292,7 +293,7 @@ impl Exact {
                 let force = self.exerted(i);
                 let held = self.list.nodes[i].held_slope(given).is_some() && matches!(of, Change::Support(..));
                 let bends = self.bends(i);
-                // Where the beam is built in the ends of its two parts move and turn.
+                // Where the beam is built in, the ends of its two parts move and rotate.
                 let [left, right] = changes[i].slopes;
                 let turned = if held {
                     bends[0] * left - bends[1] * right + 0.5 * (bends[0] * bends[0] - bends[1] * bends[1])
@@ -317,12 +318,12 @@ impl Derivative {
     }
 }
 
-/// Derivatives in the units of the scene.
+/// Conversion of derivatives to the units of the scene.
 struct Scaled<'a> {
     exact: &'a Exact,
     of: Change,
     unit: f64,
-    /// As the number grows, 1, or as it falls, −1.
+    /// 1 if the number increases, −1 if it decreases.
     towards: f64,
 }
 
@@ -331,13 +332,13 @@ impl Scaled<'_> {
         change * self.exact.scale.length / self.unit
     }
 
-    /// A force is EI times what is computed here, so that it grows with EI as such.
+    /// Forces are computed here over `EI`, so a force also changes in proportion to `EI` itself.
     fn force(&self, now: impl FnOnce() -> f64, change: f64) -> f64 {
         let own = if self.of == Change::Unload { now() } else { 0.0 };
         (own + change) * self.exact.stiffness * self.exact.scale.force / self.unit + 0.0
     }
 
-    /// That of the zone before node `i`.
+    /// The derivatives of the zone before node `i`.
     fn zone(&self, changes: &[NodeChange], i: usize) -> ContactDerivative {
         let &Self { exact, of, towards, .. } = self;
         let given = &exact.given;
@@ -345,7 +346,7 @@ impl Scaled<'_> {
             let node = &exact.list.nodes[end];
             let place = changes[end].place;
             match node.support(given) {
-                // The support is said to take all of what is carried there.
+                // The whole force at this position is attributed to the support.
                 Some(_) => (node.x, place, 0.0, 0.0),
                 None => (node.x, place, exact.forces[end], changes[end].force),
             }

@@ -1,5 +1,5 @@
-//! A span over which the beam changes: its stiffness, or a joint. It is a chain of spans that each have one stiffness, joined by their
-//! clearance `h` and `n = e h''` where they meet.
+//! A span with changes of the beam inside: steps of its stiffness, joints or springs. It is a chain of spans with one stiffness each,
+//! joined by their clearance `h` and `n = e h''` where they meet.
 //!
 //! With the fixed-end moments `G` and shear forces `S` of a part of length `ℓ` ([`super::span`]), `N = n'` and `f = ℓ/e`,
 //!
@@ -8,14 +8,15 @@
 //! h'_b = (h_b − h_a)/ℓ + f (n_a + 2 n_b)/6 − f (G_a + 2 G_b)/6         N_b = (n_b − n_a)/ℓ + S_b
 //! ```
 //!
-//! and where two parts meet `h`, `h'`, `n` and `N` jump by what the ground, a couple, a load and a joint do; of a joint with the
-//! flexibility `w` the slope of the beam by `w e v''`. That is a chain of [blocks](crate::qp::blocks) in `h` and `n`, by an elimination in
-//! which no digit is lost. A span that is computed in its deflection is the same above ground at zero, with `h = −v` and `n = −e v''`.
+//! Where two parts meet, `h`, `h'`, `n` and `N` jump because of the foundation, a couple, a load or a joint. A joint with the flexibility
+//! `w` makes the slope of the beam jump by `w e v''`. This is a chain of [blocks](crate::qp::blocks) in `h` and `n`, solved by an
+//! elimination that loses no digits. A span that is computed in its deflection is treated in the same way above a foundation at zero,
+//! with `h = −v` and `n = −e v''`.
 //!
-//! Solved for a unit turn of each end, the chain says how `n` at both ends answers to their slopes.
+//! The solution for a unit rotation of each end gives the response of `n` at both ends to the slopes there.
 //!
-//! A spring is a place where `N` jumps by `k (v − d)`, one against turning where `n` jumps by `k (v' − φ)`. Where springs hold the beam
-//! beyond the outermost node, or without any, the chain ends at the outermost one: beyond it the beam overhangs.
+//! At a spring `N` jumps by `k (v − d)`, at a rotational spring `n` jumps by `k (v' − φ)`. If springs restrain the beam beyond the
+//! outermost node, or without any node, the chain ends at the outermost spring. Beyond it the beam overhangs.
 
 mod chain;
 
@@ -26,20 +27,21 @@ use super::tension::Tense;
 use super::way::Way;
 use chain::{Chain, Part, Place};
 
-/// How the moments at both ends of a span answer to the slopes there.
+/// Response of the moments at both ends of a span to the slopes there.
 pub(super) type Answer = [[f64; 2]; 2];
 
-/// The parts of a span between two ends, with the joint at its right one: one, where the beam does not change and no axial force acts.
+/// The parts of a span between two ends, with the joint at its right end. There is one part if the beam does not change and no axial
+/// force acts.
 pub(super) fn parts(given: &PiecewiseScene, [a, b]: [End; 2], joint: f64) -> Parts {
     let divisions = given.divisions_between(a.x, b.x);
     if divisions.is_empty() && joint == 0.0 && given.tension == 0.0 {
         return Parts::one(Span::between(given, a, b));
     }
-    // Nothing is known of a mechanism.
+    // For a mechanism the span has no known values.
     between(given, [a, b], divisions, joint).map_or_else(|| Parts::one(Span::between(given, a, b).unknown()), Parts::of)
 }
 
-/// The parts of a span between two ends that is divided at some breakpoints, from left to right; [`None`] if it is a mechanism.
+/// The parts of a span between two ends with divisions at some breakpoints, from left to right; [`None`] if it is a mechanism.
 pub(super) fn between(
     given: &PiecewiseScene,
     [a, b]: [End; 2],
@@ -65,14 +67,14 @@ pub(super) fn between(
     if let Some(first) = spans.first_mut() {
         way.know(0, &mut first.at_a, &mut first.beam_a);
     }
-    // Beyond a joint the slope is another one.
+    // A joint at the right end makes the slope before it unknown.
     if let Some(last) = spans.last_mut().filter(|_| joint_at_end == 0.0) {
         way.know(1, &mut last.at_b, &mut last.beam_b);
     }
     Some(spans)
 }
 
-/// The same with what is at both ends, and with `n` and `N` beyond those that springs hold.
+/// The parts and the response of a span, with the conditions at both ends and, where springs end the chain, `n` and `N` beyond them.
 fn chained(
     given: &PiecewiseScene,
     [a, b]: [End; 2],
@@ -93,13 +95,13 @@ fn chained(
     let part = |ends: (End, End)| {
         let (ends, stiffness) = ([ends.0, ends.1], given.cells[ends.0.cell].stiffness);
         let FixedEnd { moment, shear, clamped } = fixed_end(given, &ends[0], &ends[1], of);
-        // Of the deflection the load is that of `−v`.
+        // In the deflection, the load is the load of `−v`.
         let fixed = FixedEnd { moment: moment.map(|m| sign * m), shear: shear.map(|s| sign * s), clamped };
         let tense = Tense::of(given, &ends, of, sign);
         Part { ends, stiffness, fixed, tense }
     };
     let parts: Vec<Part> = starts.zip(ends).map(part).collect();
-    // What is computed is below the straight line through both ends.
+    // The unknown is measured from the straight line through both ends.
     let line = |x: f64| {
         let [from, to] = [x - a.x, b.x - x];
         if from < to { way.levels[0] + way.incline * from } else { way.levels[1] - way.incline * to }
@@ -124,13 +126,13 @@ fn chained(
     Some((parts.iter().zip(&states).map(span).collect(), answer))
 }
 
-/// The beam from a node to the outermost spring beyond it and the overhang behind that one, or without nodes all of it, from left to
-/// right.
+/// The beam from a node to the outermost spring beyond it, including the overhang behind that spring; without nodes the whole beam. Parts
+/// are ordered from left to right.
 pub(super) fn on_springs(given: &PiecewiseScene, nodes: [Option<End>; 2], joint_at_end: f64) -> Vec<Span> {
     let ends = [(0.0, 0), (given.length, given.cells.len() - 1)].map(|(x, cell)| End::free(x, cell));
     let whole = [0, 1].map(|side| nodes[side].unwrap_or(ends[side]));
     sprung(given, nodes, joint_at_end).unwrap_or_else(|| {
-        // Nothing is known of a mechanism.
+        // For a mechanism the span has no known values.
         vec![Span::of(whole, [[0.0; 4]; 2], [[0.0; 4]; 2], 1.0).unknown()]
     })
 }
@@ -148,7 +150,7 @@ fn sprung(given: &PiecewiseScene, nodes: [Option<End>; 2], joint_at_end: f64) ->
     let way = Way::afloat(given, ends, level);
     let overhangs = [true, false].map(|left| Overhang::of(given, ends[usize::from(!left)].x, left));
     let hangs = [0, 1].map(|side| nodes[side].is_none());
-    // Beyond a hinge nothing takes a moment.
+    // Beyond a hinge no moment can be carried.
     let is_hinged = |side: usize| hangs[side] && given.breakpoints[outermost[side]].joint.is_infinite();
     if is_hinged(0) || is_hinged(1) {
         return None;
@@ -167,7 +169,7 @@ fn sprung(given: &PiecewiseScene, nodes: [Option<End>; 2], joint_at_end: f64) ->
     } else {
         (Vec::new(), Answer::default())
     };
-    // Both sides of the one spring that holds the beam alone, or of the outermost ones.
+    // The state on both sides of a spring that holds the beam alone, otherwise of the outermost springs.
     let alone = spans.is_empty().then(|| alone(given, outermost[0], &overhangs)).flatten();
     let states = [spans.first().map(|span| span.beam_a), spans.last().map(|span| span.beam_b)];
     for side in (0..2).filter(|&side| hangs[side] && ends[side].hold == EndCondition::Within) {
@@ -180,10 +182,10 @@ fn sprung(given: &PiecewiseScene, nodes: [Option<End>; 2], joint_at_end: f64) ->
     Some(spans)
 }
 
-/// What hangs over beyond the outermost spring on a side, at which deflection, slope and `e v''` are known.
+/// The overhang beyond the outermost spring on a side, from deflection, slope and `e v''` there.
 fn beyond(given: &PiecewiseScene, i: usize, side: usize, [level, slope, bent]: [f64; 3]) -> Vec<Span> {
     let Breakpoint { x, joint, acts, .. } = given.breakpoints[i];
-    // A joint belongs to what is on its left.
+    // A joint belongs to the part on its left.
     let slope = match side {
         _ if joint <= 0.0 => slope,
         0 => slope - joint * (bent - acts.couple()),
@@ -201,7 +203,7 @@ fn beyond(given: &PiecewiseScene, i: usize, side: usize, [level, slope, bent]: [
     beyond
 }
 
-/// Deflection and slope at the one spring that holds a beam alone, against turning as well; [`None`] if it does not.
+/// Deflection and slope at a single spring with a rotational spring that holds a beam; [`None`] if it cannot hold the beam.
 fn alone(given: &PiecewiseScene, i: usize, [left, right]: &[Overhang; 2]) -> Option<[f64; 2]> {
     let (spring, at) = (given.spring_at(i)?, &given.breakpoints[i]);
     let [k, without] = spring.turning?;
@@ -210,8 +212,8 @@ fn alone(given: &PiecewiseScene, i: usize, [left, right]: &[Overhang; 2]) -> Opt
     Some([spring.level + force / spring.stiffness, without - (left.moment - right.moment + at.acts.couple()) / k])
 }
 
-/// The parts of the overhang between a free end of the beam and a node, from left to right: from part to part the beam is known at the
-/// nearer end of it, and its moments at both by statics.
+/// The parts of the overhang between a free end of the beam and a node, from left to right. From part to part, the state of the beam is
+/// known at the nearer end, and statics gives the moments at both ends.
 pub(super) fn overhang(given: &PiecewiseScene, held: End, slope: f64, at_left: bool) -> Vec<Span> {
     let divisions =
         if at_left { given.divisions_between(0.0, held.x) } else { given.divisions_between(held.x, given.length) };
@@ -232,7 +234,7 @@ pub(super) fn overhang(given: &PiecewiseScene, held: End, slope: f64, at_left: b
             fixed_end(given, &near, &far, Drive::Load)
         };
         let [g, k] = if at_left { [fixed.moment[1], fixed.moment[0]] } else { fixed.moment };
-        // Turns from the chord, both counted outwards.
+        // Rotations relative to the chord, both counted outwards.
         let sixth = l / e / 6.0;
         let near_turn = sixth * (2.0 * (g - bent[0]) + (k - bent[1]));
         let far_turn = -sixth * ((g - bent[0]) + 2.0 * (k - bent[1]));
@@ -250,7 +252,7 @@ pub(super) fn overhang(given: &PiecewiseScene, held: End, slope: f64, at_left: b
         let order = if at_left { [1, 0] } else { [0, 1] };
         let ends = [near, far];
         spans.push(Span::of(order.map(|i| ends[i]), order.map(|i| at[i]), order.map(|i| beam[i]), e));
-        // A hinge leaves it to what follows how it turns.
+        // The rotation of a hinge is determined by the parts beyond it.
         let kink = if joint == 0.0 || beyond.moment == 0.0 { 0.0 } else { joint * beyond.moment };
         slope = turned - sign * kink;
         let height = given.derivative(outside, x, 0) - next;
@@ -274,12 +276,12 @@ pub(super) fn overhang(given: &PiecewiseScene, held: End, slope: f64, at_left: b
     spans
 }
 
-/// `e g''` at the right end of a span, which its joint turns by; nothing where the span is computed in its deflection.
+/// `e g''` at the right end of a span, as the joint there needs it; zero if the span is computed in its deflection.
 fn profile_bend(given: &PiecewiseScene, end: &End, way: &Way) -> f64 {
     if way.in_beam { 0.0 } else { given.bent(end.cell, end.x, 2) }
 }
 
-/// `n` and the vertical force, as the chain counts it, beyond a free end of the beam under an axial force.
+/// `n` and the vertical force, in the sign convention of the chain, beyond a free end of the beam under an axial force.
 fn tip(given: &PiecewiseScene, way: &Way, side: usize) -> [f64; 2] {
     if way.in_beam {
         return [0.0, -given.tension * way.incline];
@@ -288,30 +290,30 @@ fn tip(given: &PiecewiseScene, way: &Way, side: usize) -> [f64; 2] {
     [bent, third - given.tension * slope]
 }
 
-/// The parts of a span from left to right: mostly one.
+/// The parts of a span from left to right: usually one.
 pub(super) struct Parts {
     pub(super) first: Span,
     others: Vec<Span>,
 }
 
 impl Parts {
-    /// One part.
+    /// A span of one part.
     pub(super) fn one(first: Span) -> Self {
         Self { first, others: Vec::new() }
     }
 
-    /// Of at least one.
+    /// A span of at least one part.
     pub(super) fn of(mut parts: Vec<Span>) -> Self {
         let others = parts.split_off(1);
         Self { first: parts[0], others }
     }
 
-    /// From left to right.
+    /// All parts, from left to right.
     pub(super) fn iter(&self) -> impl Iterator<Item = &Span> {
         std::iter::once(&self.first).chain(&self.others)
     }
 
-    /// The last one.
+    /// The last part.
     pub(super) fn last(&self) -> &Span {
         self.others.last().unwrap_or(&self.first)
     }

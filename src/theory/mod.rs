@@ -1,24 +1,25 @@
-//! Beam theory with free lift-off points: the exact solution of (4), (5), (8), the paper's "vertailuratkaisu", for any scene.
+//! Beam theory with lift-off positions as unknowns: the exact solution of (4), (5), (8), the paper's "vertailuratkaisu", for any scene.
 //!
-//! The exact solution is a short list: points of contact (place, force) and zones of contact (from, to, pressure
-//! `q − EI u''''`, a concentrated force at each end). Between them the beam is a polynomial that its two ends determine.
-//! It is held by its nodes: supports and contacts, in one list from left to right. Unknown are only the places where it lifts off,
-//! and its slopes at inner supports and edges:
+//! The exact solution is a short list: points of contact (position, force) and zones of contact (from, to, pressure `q − EI u''''`, a
+//! concentrated force at each end). Between them the beam is a polynomial that the conditions at its two ends determine. Its nodes
+//! restrain the beam: supports and contacts, in one list from left to right. The only unknowns are the lift-off positions, and the slopes
+//! at inner supports and edges:
 //!
-//! 1. `piecewise`, `breakpoints`, `shape`, `pull`: profile and load as functions by pieces, and where a zone would pull.
-//! 2. `chain`, `guess`, `resting`: a first idea of the list, from a chain of links above samples of the profile, or from where a rigid
+//! 1. `piecewise`, `breakpoints`, `shape`, `pull`: profile and load as piecewise functions, and where a zone would be in tension.
+//! 2. `chain`, `guess`, `resting`: a first guess of the list, from a chain of links above samples of the profile, or from where a rigid
 //!    beam rests.
 //! 3. `list`, `span`, `cosine`, `newton`: the equations of a list and Newton's method for them.
-//! 4. `check`, `forces`, `violation`, `piece`, `bernstein`, `gauss`: all conditions, everywhere and not at samples.
-//! 5. `search`, `repair`, `penetration`, `normal`: what fails its check changes the list; where that ends, the chain gets more samples.
-//!    `close` looks once more at a list that passes; `neutral` has the beams that rest on one place and may turn there.
-//! 6. `solve`, `exact`, `summary`, `touching`, `free_spans`: the answer in the units of the scene, where it lies without pressing, and where it is free; `room`: whether there is memory for it.
-//! 7. `continuation`, `pattern`, `margin`: from the answer of one scene to that of a scene beside it, and when its pattern changes.
-//! 8. `sensitivity`, `tridiagonal`, `asked`, `derivatives`, `changes`, `leeway`, `spread`: derivatives by the numbers of the scene, and where they are
-//!    one-sided; `missing`: why one is not there.
-//! 9. `springs`: ground that gives, which needs no list; `tension`: a part of the beam under an axial force.
+//! 4. `check`, `forces`, `violation`, `piece`, `bernstein`, `gauss`: the check of all conditions, everywhere and not only at samples.
+//! 5. `search`, `repair`, `penetration`, `normal`: the search. A violated condition changes the list; if that leads nowhere, the chain gets
+//!    more samples. `close` examines a list that passes once more; `neutral` treats beams that rest on one position and can rotate there.
+//! 6. `solve`, `exact`, `summary`, `touching`, `free_spans`: the answer in the units of the scene, where it touches without pressing, and
+//!    where it is free; `room`: whether there is enough memory for it.
+//! 7. `continuation`, `pattern`, `margin`: from the answer of one scene to the answer of a neighbour, and when its pattern changes.
+//! 8. `sensitivity`, `tridiagonal`, `asked`, `derivatives`, `changes`, `leeway`, `spread`: derivatives with respect to the numbers of the
+//!    scene, and where they are one-sided; `missing`: why a derivative does not exist.
+//! 9. `springs`: an elastic foundation, which needs no list; `tension`: a part of the beam under an axial force.
 //!
-//! Time and memory grow like the number of pieces of profile and load, and of contacts.
+//! Time and memory are proportional to the number of pieces of profile and load, and of contacts.
 //!
 //! **Invariant:** nothing here knows a grid, a method of discretisation or a solver of the quadratic program (32).
 

@@ -1,4 +1,5 @@
-//! What an answer is made of, without its numbers: between two scenes with the same pattern nothing happens.
+//! The pattern of an answer: its kinds of contacts without their numbers. Between two scenes with the same pattern no contact changes its
+//! kind.
 
 use super::check::{AT_REST, TOLERANCE};
 use super::exact::Exact;
@@ -11,29 +12,29 @@ use crate::state::{Contact, SupportForce};
 /// The kind of an exact solution.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pattern {
-    /// What each of its contacts is, in their order.
+    /// The kinds of its contacts, in their order.
     pub(crate) kinds: Vec<ContactKind>,
-    /// Whether the ground holds the slope of the beam beside each support, to its left and to its right.
+    /// Whether the foundation restrains the slope of the beam next to each support, on its left and on its right.
     pub(crate) clamped: Vec<[bool; 2]>,
-    /// Which of the supports pull the beam down.
+    /// Whether each of the supports pulls the beam down.
     pub(crate) pulls: Vec<bool>,
-    /// On which crest each of its contacts lies.
+    /// The crest of each contact.
     crests: Vec<Crest>,
-    /// Smooth pieces of the profile; where this is another number, their indices mean something else.
+    /// Number of smooth pieces of the profile; the indices of two patterns are comparable only if these numbers are equal.
     pieces: usize,
 }
 
-/// Where on a smooth piece a contact lies: two contacts of one kind are the same one only if they are near to each other.
+/// The position of a contact on a smooth piece: two contacts of one kind are the same one only if they are near each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Crest {
-    /// Where the contact starts and ends, as shares of the beam.
+    /// Start and end of the contact, as shares of the beam.
     ends: [f64; 2],
-    /// How many waves of the profile lie before that, of the one that bends it most; 0 without waves.
+    /// Number of waves of the profile to the left of both, for the wave with the largest curvature; 0 without waves.
     waves: [f64; 2],
 }
 
 impl Crest {
-    /// True if this may be the same contact as another one, moved by a little: by less than from one crest to the next.
+    /// Whether this may be the same contact as another one after a small motion, shorter than from one crest to the next.
     fn is_near(&self, other: &Self) -> bool {
         let less = |a: [f64; 2], b: [f64; 2], most: f64| a.iter().zip(b).all(|(a, b)| (a - b).abs() <= most);
         less(self.ends, other.ends, NEAR) && less(self.waves, other.waves, HALF_A_WAVE)
@@ -45,42 +46,42 @@ const NEAR: f64 = 0.02;
 /// Waves from a crest to the next hollow: beyond it the next crest is nearer.
 const HALF_A_WAVE: f64 = 0.5;
 
-/// A contact.
+/// The kind of a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum ContactKind {
     /// A point on the smooth piece of that index.
     Point(usize),
     /// The edge at which the smooth piece of that index starts, or a free end of the beam.
     Edge(usize),
-    /// The support of that index, of those that only push.
+    /// The compression-only support of that index, counted among the compression-only supports.
     Bearing(usize),
     /// A zone.
     Zone([ZoneEnd; 2]),
 }
 
-/// How a zone of contact ends.
+/// The kind of an end of a contact zone.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum ZoneEnd {
-    /// Where the beam lifts off, on the smooth piece of that index.
+    /// A lift-off position, on the smooth piece of that index.
     LiftOff(usize),
-    /// At the support of that index.
+    /// The support of that index.
     Support(usize),
-    /// At a free end of the beam.
+    /// A free end of the beam.
     FreeEnd,
 }
 
-/// Places that are nearer to each other than this share of the beam are one.
+/// Positions that are nearer to each other than this share of the beam count as one.
 const AT_ONE_PLACE: f64 = 1e-12;
 
 impl Pattern {
-    /// True if nothing happens between two scenes that differ in numbers only, and by little, and have these patterns: their contacts
-    /// are of the same kinds, and lie on the same crests.
+    /// Whether no contact changes between two scenes with these patterns that differ only a little, and only in numbers: the contacts are
+    /// of the same kinds, and on the same crests.
     #[must_use]
     pub fn is_same(&self, other: &Self) -> bool {
         self.is_same_kind(other) && self.crests.iter().zip(&other.crests).all(|(a, b)| a.is_near(b))
     }
 
-    /// True if the contacts of two answers are of the same kinds, wherever on their smooth pieces of the profile they lie.
+    /// Whether the contacts of two answers are of the same kinds, regardless of their positions on their smooth pieces of the profile.
     #[must_use]
     pub fn is_same_kind(&self, other: &Self) -> bool {
         if self.clamped != other.clamped || self.pulls != other.pulls {
@@ -89,7 +90,7 @@ impl Pattern {
         if self.pieces == other.pieces {
             return self.kinds == other.kinds;
         }
-        // Points of a survey that come to lie on one line are one piece less.
+        // If points of a survey become collinear, there is one piece less.
         let zones =
             |kinds: &[ContactKind]| kinds.iter().map(|kind| matches!(kind, ContactKind::Zone(_))).collect::<Vec<_>>();
         zones(&self.kinds) == zones(&other.kinds)
@@ -97,7 +98,7 @@ impl Pattern {
 }
 
 impl Exact {
-    /// Its pattern.
+    /// The pattern of this solution.
     #[must_use]
     pub fn pattern(&self) -> Pattern {
         let (given, nodes, rest) = (&self.given, &self.list.nodes, self.rest());
@@ -133,7 +134,8 @@ impl Exact {
         }
     }
 
-    /// What carries something, with its contact: a contact without a force is none, and a zone goes no farther than its pressure.
+    /// The contacts that carry a force, with their kinds. A contact without a force is omitted, and a zone extends only as far as its
+    /// pressure.
     pub(crate) fn contacts_by_kind(&self) -> Vec<(ContactKind, Contact)> {
         if self.springs.is_some() {
             let sunk = self.state.contacts.iter().map(|contact| (self.sunk(contact), *contact));
@@ -177,7 +179,7 @@ impl Exact {
         found
     }
 
-    /// The springs that only push and are pressed, counted among all supports that only push.
+    /// The elastic compression-only supports that are pressed, counted among all compression-only supports.
     fn pressed_stops(&self) -> impl Iterator<Item = (ContactKind, Contact)> + '_ {
         let most = self.state.supports.iter().fold(0.0, |most: f64, support| most.max(support.force.abs()));
         let pushing = self.state.supports.iter().filter(|support| support.pushes_only).enumerate();
@@ -185,7 +187,7 @@ impl Exact {
         pressed.map(|(i, support)| (ContactKind::Bearing(i), Contact::at(support.at, support.force)))
     }
 
-    /// A contact on ground that gives.
+    /// The kind of a contact on an elastic foundation.
     fn sunk(&self, contact: &Contact) -> ContactKind {
         let given = &self.given;
         let at = |x: f64, place: f64| (x - place).abs() <= AT_ONE_PLACE * given.length;
@@ -203,7 +205,7 @@ impl Exact {
         }))
     }
 
-    /// What carries something of the zone before node `i`: the stretches with a pressure, and the places with a force.
+    /// The parts of the zone before node `i` that carry a force: stretches with pressure, and positions with a concentrated force.
     fn pressed(&self, i: usize, contact: Contact, rest: f64) -> Vec<(ContactKind, Contact)> {
         let given = &self.given;
         let nodes = [&self.list.nodes[i - 1], &self.list.nodes[i]];
@@ -218,7 +220,7 @@ impl Exact {
         };
         let (first, last) = (given.cell_from(from), given.cell_to(to));
         let loads = given.breakpoints_inside(from, to).map(|i| &given.breakpoints[i]).filter(|b| b.acts.force() != 0.0);
-        // Of the force at a support only the sum with that of the support is unique.
+        // At a support only the sum of contact force and reaction is unique.
         let ends = [i - 1, i].into_iter().filter(|&end| {
             self.list.nodes[end].support(given).is_none()
                 && least < self.forces[end] * self.stiffness * self.scale.force
@@ -253,7 +255,8 @@ impl Exact {
         pieces.into_iter().map(piece).collect()
     }
 
-    /// What a part of the zone before node `i` carries, over `EI`: from one of its ends, or a place at which the load changes, to another.
+    /// The contact force on a part of the zone before node `i`, over `EI`. The part reaches from one of the ends of the zone, or a
+    /// position where the load changes, to another.
     fn part_of_zone(&self, i: usize, ends: [f64; 2]) -> Contact {
         let (given, nodes) = (&self.given, &self.list.nodes);
         let near = |x: f64, place: f64| (x - place).abs() <= AT_ONE_PLACE * given.length;
@@ -272,7 +275,7 @@ impl Exact {
         }
     }
 
-    /// On which sides of a support the ground holds the slope of the beam, and takes a couple for it.
+    /// The sides of a support on which the foundation restrains the slope of the beam, with a couple.
     fn clamped(&self, i: usize, index: usize, rest: f64) -> [bool; 2] {
         let support = &self.given.supports[index];
         if support.slope.is_some() && !support.built_in {
@@ -286,25 +289,25 @@ impl Exact {
         [0, 1].map(|side| rests[side] && !self.list.in_zone_before(i + side) && couple)
     }
 
-    /// A force at node `i` that is no larger has no sign, whatever forces are elsewhere: behind a support a load of any size may stand.
-    /// `rest` is [`Self::rest`].
+    /// The limit below which a force at node `i` has no reliable sign. It does not depend on forces elsewhere: a load of any size may act
+    /// beyond a support. `rest` is [`Self::rest`].
     fn no_force(&self, i: usize, rest: f64) -> f64 {
         TOLERANCE * force_beside(&self.spans, i).max(rest) * self.stiffness * self.scale.force
     }
 
-    /// What forces are compared with at least, over `EI`: beside a stretch without a load there are none.
+    /// The smallest scale of forces, over `EI`: next to a stretch without a load all forces may be zero.
     pub(super) fn rest(&self) -> f64 {
         AT_REST * self.given.total_load
     }
 
-    /// The load that stands on a support.
+    /// The load directly on a support.
     fn load_on(&self, node: &Node) -> f64 {
         let support = node.support(&self.given).map(|index| &self.given.supports[index]);
         let load = support.map_or(0.0, |support| self.given.breakpoints[support.breakpoint].acts.force());
         load.abs() * self.stiffness * self.scale.force
     }
 
-    /// On which crest of the profile a contact lies.
+    /// The crest of the profile on which a contact is.
     fn crest(&self, contact: &Contact) -> Crest {
         let places = [contact.from, contact.to].map(|x| x / self.scale.length);
         let waves = |x: f64| {
@@ -325,7 +328,7 @@ fn zone_end(given: &PiecewiseScene, node: &Node) -> ZoneEnd {
     }
 }
 
-/// The piece of the profile that starts at an edge; one more than there are for the right end of the beam.
+/// The piece of the profile that starts at an edge; for the right end of the beam, the number of pieces.
 fn edge(given: &PiecewiseScene, breakpoint: usize) -> usize {
     given.cells.get(breakpoint).map_or(given.shapes.len(), |cell| cell.shape)
 }

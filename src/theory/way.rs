@@ -1,23 +1,23 @@
-//! In what a span is computed: its clearance or its deflection.
+//! The variable in which a span is computed: its clearance or its deflection.
 
 use super::piecewise::PiecewiseScene;
 use super::span::{End, EndCondition};
 
-/// What is given at an end of a span.
+/// A condition at an end of a span.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Prescribed {
-    /// The slope, counted from the straight line through both ends.
+    /// The slope, relative to the straight line through both ends.
     Slope(f64),
     /// The second derivative, times `e`.
     Curvature(f64),
 }
 
-/// In what a span is computed, and what is known of its ends.
+/// The variable in which a span is computed, and the conditions at its ends.
 ///
-/// The equations are the same in `v` with `e v'''' = q`, and over many waves or cliffs of a profile they have to be solved
-/// in `v`: `h''` there is of the size of `u''`, and so would be the rounding of `v''`.
+/// The equations are the same in `v`, with `e v'''' = q`. Over many waves or cliffs of a profile they must be solved in `v`. There `h''`
+/// has the size of `u''`, and the rounding of `v''` would have this size too.
 pub(super) struct Way {
-    /// In its deflection, and not in its clearance.
+    /// Whether the variable is the deflection, not the clearance.
     pub(super) in_beam: bool,
     pub(super) holds: [EndCondition; 2],
     /// `h` at both ends.
@@ -28,12 +28,12 @@ pub(super) struct Way {
     pub(super) incline: f64,
     /// `u, u', e u'', e u'''` at both ends.
     pub(super) profiles: [[f64; 4]; 2],
-    /// What is given besides.
+    /// The second condition at each end.
     pub(super) held: [Prescribed; 2],
 }
 
 impl Way {
-    /// Of a span between two ends.
+    /// For a span between two ends.
     pub(super) fn of(given: &PiecewiseScene, a: &End, b: &End) -> Self {
         let profiles = [given.derivatives(a.cell, a.x), given.derivatives(b.cell, b.x)];
         let ends = [a, b];
@@ -52,7 +52,7 @@ impl Way {
         Self { heights, ..Self::with([*a, *b], profiles, bends, (in_beam, levels, incline)) }
     }
 
-    /// Of a span of which springs hold one end or both: in its deflection, from the level of its node.
+    /// For a span with one or both ends on springs: in its deflection, relative to the level of its node.
     pub(super) fn afloat(given: &PiecewiseScene, ends: [End; 2], node: Option<End>) -> Self {
         let level = node.map_or(0.0, |node| node.hold.level(given.derivative(node.cell, node.x, 0)));
         let profiles = ends.map(|end| given.derivatives(end.cell, end.x));
@@ -60,9 +60,10 @@ impl Way {
         Self::with(ends, profiles, bends, (true, [level; 2], 0.0))
     }
 
-    /// Of what hangs over on one side under an axial force: in its deflection from the tangent at its node where the slope of that is known.
+    /// For an overhang under an axial force: in its deflection, relative to the tangent at its node if the slope there is known.
     ///
-    /// From another line the moment at the node would be the difference of two slopes over the length of the first part, which may be short.
+    /// Relative to another line, the moment at the node would be the difference of two slopes over the length of the first part, which
+    /// may be short.
     pub(super) fn overhanging(given: &PiecewiseScene, ends: [End; 2], free: usize) -> Self {
         let whole = Self::of(given, &ends[0], &ends[1]);
         let held = 1 - free;
@@ -77,7 +78,7 @@ impl Way {
         Self { heights: whole.heights, ..Self::with(ends, whole.profiles, bends, (true, levels, slope)) }
     }
 
-    /// With `u''` at both ends.
+    /// From the profile and its curvature `u''` (`bends`) at both ends.
     fn with(
         ends: [End; 2],
         profiles: [[f64; 4]; 2],
@@ -98,7 +99,7 @@ impl Way {
         Self { in_beam, holds: ends.map(|end| end.hold), heights: [0.0; 2], levels, incline, profiles, held }
     }
 
-    /// Puts what is given at an end, and so is known without rounding, in its place.
+    /// Overwrites the computed values at an end by the given ones, which have no rounding error.
     pub(super) fn know(&self, i: usize, at: &mut [f64; 4], beam: &mut [f64; 4]) {
         if self.holds[i] == EndCondition::Free {
             return;
@@ -114,10 +115,10 @@ impl Way {
     }
 }
 
-/// Whether a span is computed in its deflection, and not in its clearance: the one whose chord and bend are smaller.
+/// Whether a span is computed in its deflection, not in its clearance: the variable whose chord and curvature are smaller.
 fn is_in_beam(given: &PiecewiseScene, [a, b]: [&End; 2], heights: [f64; 2], levels: [f64; 2], bends: [f64; 2]) -> bool {
     let chord = |at: [f64; 2]| 6.0 * at[0].abs().max(at[1].abs()) / ((b.x - a.x) * (b.x - a.x));
-    // Between supports and edges levels are given, and a clearance that is not zero is the rounded difference of a depth and a level.
+    // Between supports and edges the levels are given, and a clearance other than zero is the rounded difference of a depth and a level.
     let rests = [a, b].iter().any(|end| end.hold == EndCondition::Resting);
     let rounded = [0, 1].map(|i| if rests || heights[i] == 0.0 { 0.0 } else { levels[i].abs() });
     let terms = [0, 1].map(|i| heights[i].abs() + rounded[i]);
@@ -125,8 +126,8 @@ fn is_in_beam(given: &PiecewiseScene, [a, b]: [&End; 2], heights: [f64; 2], leve
     chord(levels) < in_clearance || is_broken(given, a, b, chord(levels))
 }
 
-/// True if one of the kinks and steps inside a span does more than this to `h''`: over a cliff that goes down and up again they
-/// are huge and cancel, and so `h` is not what to compute there.
+/// Whether one of the kinks and steps inside a span contributes more than this to `h''`. Over a cliff that goes down and up again the
+/// contributions are huge and cancel, so that `h` is unsuitable for the computation.
 fn is_broken(given: &PiecewiseScene, a: &End, b: &End, bend: f64) -> bool {
     let l = b.x - a.x;
     let more = |[kink, step]: [f64; 2]| bend < (4.0 * kink + 6.0 * step / l) / l;

@@ -20,7 +20,7 @@ use crate::theory::{self, Exact};
 /// printed digits.
 const ROUNDING: f64 = 1e-9;
 
-/// Violations up to this share are rounding for a beam without stops: a thousandth of the precision with which a program prints forces.
+/// A beam without stops may violate its conditions by this share: a thousandth of the precision with which a program prints forces.
 const NEARLY: f64 = 1e-6;
 
 /// The deflection that given contact forces cause, and the conditions that the forces violate.
@@ -72,9 +72,10 @@ struct Given {
     supports: Vec<Support>,
     /// Whether the forces are spread over the beam.
     is_spread: bool,
-    /// Places of an elastic foundation, and how deep below its surface the force there says that the beam is.
+    /// Positions on an elastic foundation, and the penetration there that the given force implies.
     sunk: Vec<(f64, f64)>,
-    /// Whether these hold it. Under tension one place would be enough, and would leave it to what moments lack how the beam turns.
+    /// Whether these positions hold the beam. Under tension one position would be enough, but then the equilibrium residual of the
+    /// moments would determine the rotation.
     is_placed: bool,
 }
 
@@ -92,8 +93,8 @@ impl Given {
         Self { contacts, own, holding: Vec::new(), supports, is_spread, sunk, is_placed: false }
     }
 
-    /// Whether `exact` is an answer. A beam without stops has only one deflection, so what it violates is rounding. With forces in balance
-    /// with the loads the rounding is a large share of what is left for the supports.
+    /// Whether `exact` is an answer. A beam without stops has only one deflection, so its violations are rounding. If the forces are
+    /// almost in balance with the loads, the rounding is a large share of the remaining reactions.
     fn is_answer(&self, exact: &Exact) -> bool {
         exact.solved || exact.residual <= NEARLY && !self.supports.iter().any(|support| support.pushes_only)
     }
@@ -146,7 +147,7 @@ impl Given {
             }
             self.supports.push(Support { level, ..Support::simple(at) });
             if self.free_motions(scene) < free {
-                // The springs go on to press; beside them nothing has to.
+                // The force of the spring remains a load, and the support should add no force of its own.
                 self.holding.push(if self.is_placed { (at, 0.0) } else { self.contacts.remove(i) });
                 return true;
             }
@@ -221,7 +222,7 @@ impl Given {
     }
 }
 
-/// How much of each column is nearest to a vector: a few normal equations by elimination.
+/// The coefficients of the columns whose sum is nearest to a vector, from normal equations by elimination.
 fn least_squares(columns: &[Vec<f64>], of: &[f64]) -> Option<Vec<f64>> {
     let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let row = |a: &Vec<f64>| columns.iter().map(|b| product(a, b)).chain([product(a, of)]).collect::<Vec<f64>>();

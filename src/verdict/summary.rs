@@ -85,8 +85,8 @@ pub(super) fn deflection_rounding(scene: &Scene, state: &ContactState) -> f64 {
     ROUNDING * state.deflection.magnitude() + free + as_built(scene, state) + f64::MIN_POSITIVE
 }
 
-/// Of a beam that lies as it was built but for rounding, the rounding of where its supports are: of the terms that the depth of its initial
-/// shape is a sum of there, and of their levels. Of any other beam nothing.
+/// For a beam that rests in its initial shape within rounding: the rounding of its supports, from the terms that add up to the depth of
+/// the initial shape there, and from their levels. Zero for any other beam.
 fn as_built(scene: &Scene, state: &ContactState) -> f64 {
     let Some(shape) = scene.beam().shape() else { return 0.0 };
     let supports = scene.beam().all_supports();
@@ -95,7 +95,7 @@ fn as_built(scene: &Scene, state: &ContactState) -> f64 {
     if state.deflection.magnitude() <= rounding { rounding } else { 0.0 }
 }
 
-/// Whether an error is nothing but that.
+/// Whether an error is only this rounding.
 pub(super) fn rests_as_built(scene: &Scene, state: &ContactState, error: f64) -> bool {
     let rounding = as_built(scene, state);
     0.0 < rounding && error <= rounding
@@ -115,7 +115,7 @@ pub(super) fn shares<'a>(
     // A load directly on a support is known exactly. It hides nothing of the beam's own reaction except the last digits of the sum.
     let forces: Vec<f64> = state.supports.iter().map(|s| (s.force - scene.standing_on(s.at)).abs()).collect();
     let contact = state.contact_force();
-    // What supports that are off by rounding do to the beam: `48 EI v / l³`.
+    // The force that an error of the supports by this rounding causes: `48 EI v / l³`.
     let (length, built) = (scene.beam().length(), as_built(scene, state));
     let pushed = 48.0 * built / length * scene.beam().bending_stiffness() / length / length;
     let sum = scene.bending_load().magnitude(scene.beam().length()) + forces.iter().sum::<f64>() + contact;

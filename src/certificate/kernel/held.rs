@@ -1,5 +1,5 @@
-//! What holds a beam, and carries what is cut off of its contact load: two of its supports, places at which it presses on the
-//! ground, and the ground beside a single place that carries it.
+//! The restraints of a beam, which also carry the tension that is cut off from its contact load: two of its supports, positions with
+//! contact force, or the foundation next to a single position that carries the beam.
 
 use super::contact_node::{ContactNode, EnclosedScene};
 use super::distance::factor;
@@ -11,14 +11,14 @@ use super::pressing::PullCutOff;
 use super::proof::{Pair, Piece};
 use super::reference::{Datum, Line};
 
-/// A place with what is known of the deflection there; [`None`] if what is cut off, and taken from it, uses it up.
+/// A datum with the uncertainty of the deflection there; [`None`] if the tension that is cut off uses up its contact force.
 pub(super) fn known(place: Datum, gap: f64, share: Interval) -> Option<Datum> {
     if place.presses.is_infinite() {
         return Some(place);
     }
     let remains = (Interval::exact(place.presses) - share).lo();
     if place.energy.is_finite() {
-        // One that only pushes is pressed, and so a spring.
+        // A compression-only elastic support that is pressed acts as a spring.
         return (0.0 < remains && gap < place.energy).then_some(place);
     }
     let spread = Interval::exact(place.spread);
@@ -26,9 +26,9 @@ pub(super) fn known(place: Datum, gap: f64, share: Interval) -> Option<Datum> {
     (0.0 < remains).then_some(Datum { uncertainty: off, ..place })
 }
 
-/// What holds a beam: its supports; if they do not, two of the places that carry it, or one of them and what stops it there. The gap
-/// follows from the moments and the share of what is cut off, and from how far what carries the share is off the ground; with it come
-/// that share and the reference lines.
+/// Finds the restraints of a beam: its supports; if these are not enough, two of the positions that carry it, or one of them and the
+/// positions where the foundation stops the beam. The gap follows from the moments and the share of the tension that is cut off, and from
+/// the distance between the foundation and the positions that carry the share. Returns the gap, this share and the reference lines.
 pub(super) fn held_by(
     enclosed: &EnclosedScene<'_>,
     turns_about: Option<f64>,
@@ -37,7 +37,7 @@ pub(super) fn held_by(
     cut_off: &PullCutOff,
     gap_of: impl Fn([Interval; 2], f64) -> f64,
 ) -> Option<(f64, Interval, Vec<Line>)> {
-    // About a place of balance each part between hinges may turn by itself.
+    // About a position of balance, each part between hinges can rotate separately.
     if turns_about.is_some() && enclosed.is_hinged() {
         return None;
     }
@@ -47,21 +47,21 @@ pub(super) fn held_by(
         let carried = cut_off.carried(&lines, enclosed.stiffness, enclosed.soft());
         let gap = gap_of(carried, 0.0);
         let both = |Line(a, b)| Some(Line(known(a, gap, carried[1])?, known(b, gap, carried[1])?));
-        // Not with a place that is used up.
+        // A line through a datum that is used up is not valid.
         if let Some(lines) = lines.into_iter().map(both).collect() {
             return Some((gap, carried[1], lines));
         }
     }
     if 0.0 < enclosed.tension {
-        // A string is held by one place, which carries nothing of what is cut off.
+        // Under tension the beam is restrained as a string by one position, which carries nothing of what is cut off.
         let carried = cut_off.carried(&[], enclosed.stiffness, enclosed.soft());
         return Some((gap_of(carried, 0.0), carried[1], Vec::new()));
     }
-    // A hinge turns beside one place that carries the beam.
+    // Beams with hinges are excluded: a hinge could rotate next to the one position that carries the beam.
     let place = *carriers.iter().find(|place| place.to <= place.from && !enclosed.is_hinged())?;
     let couples: f64 = cut_off.pulls.iter().map(|pull| pull.2).sum();
     let stops = stops(enclosed, pieces, place.from, 16.0 * (couples / place.presses))?;
-    // A couple is taken by the stop to which it turns the beam, and so by either.
+    // A couple is carried by the stop towards which it rotates the beam, so both stops count.
     let lines = [Line(Datum::at(stops.0.from), place), Line(place, Datum::at(stops.1.from))];
     let both = lines.map(|line| cut_off.carried(&[line], enclosed.stiffness, enclosed.soft()));
     let carried = [0, 1].map(|k| both[0][k] + both[1][k]);
@@ -73,8 +73,8 @@ pub(super) fn held_by(
     ))
 }
 
-/// Where the beam is carried: single nodes, parts of zones, and loads that stand in them. What is taken from a part is taken in
-/// proportion to what presses there: the mean of what single places would give, of which the worst is counted.
+/// The positions that carry the beam: single nodes, parts of zones, and point loads inside zones. A force taken from a part is
+/// distributed in proportion to the pressure there. Its effect is the mean over single positions, and the worst position is counted.
 pub(super) fn carriers(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode], forces: &[Interval]) -> Vec<Datum> {
     let carried = |(x, force): (f64, Interval)| match enclosed.support(x) {
         Some(support) => enclosed.datum(support, force),
@@ -91,8 +91,8 @@ pub(super) fn carriers(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode], forc
     carriers.into_iter().filter(|place| 0.0 < place.presses).collect()
 }
 
-/// Of so many equal parts of a zone the first, the third and so on, as far as they have no break of the load, with what presses on
-/// each at least: the load, and what the shear of the beam that follows the ground changes by.
+/// The first, third, fifth … of some equal parts of a zone, where they contain no break of the load, each with a lower bound of the
+/// contact force on it: the load plus the change of the shear force of the beam that follows the foundation.
 fn every_other(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2], parts: u32) -> Vec<Datum> {
     let end = |k: u32| if k < parts { from + (to - from) * (f64::from(k) / f64::from(parts)) } else { to };
     let pressed = |k: u32| {
@@ -108,10 +108,11 @@ fn every_other(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2], parts: u32) -
     (0..parts).step_by(2).filter_map(pressed).collect()
 }
 
-/// Zones hold a beam that supports hold, too, and from nearer by: each second part of them, with the next one and with the supports
-/// on both sides. What is cut off is carried by the supports, and never less presses in a zone than without.
+/// Adds reference lines through zones to a beam that its supports hold, because zones are nearer. Every second part of each zone forms a
+/// line with the next part and with the supports on both sides. The supports carry what is cut off, and the contact force in a zone is
+/// never smaller than without it.
 pub(crate) fn hold_by_zones(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode], pair: &mut Pair) {
-    /// Of all zones together: the price of a bound is in proportion.
+    /// Limit for all zones together: the cost of an error bound is proportional to it.
     const MOST_PARTS: u32 = 256;
     let zones: Vec<[f64; 2]> = nodes.windows(2).filter(|w| w[0].lies).map(|w| [w[0].x, w[1].x]).collect();
     let parts = u32::try_from(zones.len()).ok().and_then(|zones| MOST_PARTS.checked_div(zones)).unwrap_or(0);
@@ -126,24 +127,25 @@ pub(crate) fn hold_by_zones(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode],
     pair.zones = lines.filter(|line| line.0.to < line.1.from && line.presses().is_finite()).collect();
 }
 
-/// The places on the left and on the right of the single place that carries a beam at which the ground stops it if it turns: those to
-/// which it turns by the least angle, each with the clearance there, and none much nearer than `apart`. Inside a beam on smooth ground
-/// that place is tangent to it: beside it the clearance and its slope are known to begin with zero.
+/// The positions on the left and on the right of the single position that carries a beam at which the foundation stops a rotation of the
+/// beam: those that need the smallest angle, each with the clearance there, and none nearer than half of `apart`. Inside a beam on a
+/// smooth foundation the beam is tangent to the foundation at that position: clearance and slope of the clearance are known to be zero
+/// there.
 fn stops(enclosed: &EnclosedScene<'_>, pieces: &[Piece], x: f64, apart: f64) -> Option<Line> {
-    /// Of the length of the beam.
+    /// As a share of the length of the beam.
     const NEAR: f64 = 1.0 / 274_877_906_944.0;
     let EnclosedScene { gap, length, .. } = *enclosed;
     let is_tangent = enclosed.supports.is_empty() && gap.is_smooth_at(x) && 0.0 < x && x < length;
     let far = apart.max(NEAR * length);
     let mut found = Vec::new();
     for Piece { from, to, v, pressed } in pieces {
-        // Over a smooth break an enclosure is wider, and still one.
+        // Over a smooth break an enclosure is wider, but still valid.
         let breaks = gap.breaks(*from, *to).into_iter().filter(|y| far <= (y - x).abs() || !gap.is_smooth_at(*y));
         for [a, b] in cells(*from, *to, breaks.chain([x - far, x + far]).collect()) {
             let [near, far] = if a < x { [b, a] } else { [a, b] };
             let clear = gap.about(near, [a, b]).minus(&v.shifted(Interval::length(*from, near)));
             let clear = if is_tangent && (near - x).abs() <= 0.0 { clear.known(&[Interval::ZERO; 2]) } else { clear };
-            // What stands alone there is no part of the cell.
+            // At a step or a support, the depth at the end of the cell may be smaller than the limit from inside the cell.
             let alone = (gap.depth(far) - v.at(Interval::length(*from, far))).hi();
             let off = clear.at(Interval::length(near, far)).hi().min(alone).max(0.0);
             found.push(Datum { uncertainty: if *pressed { 0.0 } else { off }, ..Datum::at(far) });
@@ -154,14 +156,15 @@ fn stops(enclosed: &EnclosedScene<'_>, pieces: &[Piece], x: f64, apart: f64) -> 
     let is_off = |place: &&Datum| 0.0 < distance(place) && 0.5 * apart <= distance(place);
     let [left, right] = [true, false].map(|left| {
         let beside = found.iter().filter(is_off).filter(|place| (place.from < x) == left);
-        // Of the same angle the farthest.
+        // For equal angles, the farthest.
         beside.min_by(|a, b| angle(a).total_cmp(&angle(b)).then(distance(b).total_cmp(&distance(a))))
     });
     Some(Line(*left?, *right?))
 }
 
-/// Both stops as a reference line, of a beam that is pressed between them where it is off by `ε` at most. With the clearances `c`
-/// at the stops, `a` and `b` away from there, and the deflection that is off by `d ≤ c` at both and by `e` more than a line between them makes it,
+/// Both stops as a reference line, for a beam that is pressed at a position between them, with an error of at most `ε` there. The
+/// clearances at the stops are `c`, and the stops are at distances `a` and `b` from the position. The deflection is wrong by `d ≤ c` at
+/// both stops, and differs by at most `e` from a line between them:
 ///
 /// ```text
 /// (b d₁ + a d₂)/(a + b) ≥ −ε − e,      −d₁ ≤ ((a + b)(ε + e) + a c₂)/b,      −d₂ ≤ ((a + b)(ε + e) + b c₁)/a

@@ -1,11 +1,11 @@
-//! Interval arithmetic with outward rounding: what is computed encloses what is meant.
+//! Interval arithmetic with outward rounding: each computed interval encloses the exact result.
 //!
-//! IEEE 754 rounds `+ − × ÷ √` to the nearest number, so that the true result lies between the two neighbours of the
-//! rounded one. [`f64::next_down`] and [`f64::next_up`] take these neighbours, which costs an interval one unit in the
-//! last place on each side and needs no rounding mode. An operation that leaves the range of `f64`, or has no value,
-//! gives the whole line: a bound that is no use, but true.
+//! IEEE 754 rounds `+ − × ÷ √` to the nearest number, so the true result is between the two neighbours of the rounded one.
+//! [`f64::next_down`] and [`f64::next_up`] give these neighbours. This widens an interval by one unit in the last place on each side and
+//! needs no rounding mode. An operation that leaves the range of `f64`, or has no value, gives the whole line: a bound that is useless,
+//! but true.
 //!
-//! Cosine and sine are those of libm, whose error is assumed to be at most one unit in the last place; two are allowed.
+//! Cosine and sine are computed by libm. Their error is assumed to be at most one unit in the last place; two are allowed.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -25,7 +25,7 @@ impl Interval {
     /// `2π`: the double below it and the one above.
     pub(crate) const TAU: Self = Self { lo: std::f64::consts::TAU, hi: 6.283_185_307_179_587 };
 
-    /// A number, exactly; NaN could be any.
+    /// A number, exactly; the whole line for NaN.
     pub fn exact(value: f64) -> Self {
         Self::between(value, value)
     }
@@ -45,17 +45,17 @@ impl Interval {
         Self::between(-radius.abs(), radius.abs())
     }
 
-    /// The two neighbours of rounded results.
+    /// Widens two rounded results to their outer neighbours.
     fn outward(lo: f64, hi: f64) -> Self {
         Self::between(lo.next_down(), hi.next_up())
     }
 
-    /// From the least to the greatest of some rounded results.
+    /// From the smallest to the largest of some rounded results.
     fn of_corners(corners: [f64; 4]) -> Self {
         if corners.iter().any(|c| c.is_nan()) {
             return Self::WHOLE;
         }
-        // Not `f64::min` and `f64::max`, which also look for NaN and are slower: it is excluded here.
+        // Not `f64::min` and `f64::max`: these also check for NaN, which is excluded here, and are slower.
         let least = |a: f64, b: f64| if b < a { b } else { a };
         let most = |a: f64, b: f64| if a < b { b } else { a };
         let [a, b, c, d] = corners;
@@ -74,23 +74,23 @@ impl Interval {
         self.hi
     }
 
-    /// A number in the middle; zero if an end is infinite.
+    /// The midpoint, rounded; zero if an end is infinite.
     #[must_use]
     pub(crate) fn middle(self) -> f64 {
         let middle = 0.5 * self.lo + 0.5 * self.hi;
         if middle.is_finite() { middle } else { 0.0 }
     }
 
-    /// The largest magnitude in it.
+    /// The largest magnitude in the interval.
     #[must_use]
     pub(crate) fn magnitude(self) -> f64 {
         self.lo.abs().max(self.hi.abs())
     }
 
-    /// True for zero itself.
+    /// True only for the interval that contains nothing but zero.
     #[inline]
     pub fn is_zero(self) -> bool {
-        // Both zeros, and nothing else.
+        // Both signed zeros, and no other number.
         self.lo.to_bits() << 1 == 0 && self.hi.to_bits() << 1 == 0
     }
 
@@ -100,27 +100,27 @@ impl Interval {
         self.lo.is_finite() && self.hi.is_finite()
     }
 
-    /// The smallest interval that holds both.
+    /// The smallest interval that contains both.
     pub(crate) fn hull(self, other: Self) -> Self {
         Self { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
     }
 
-    /// What of it is not negative: a better enclosure of a number that is not.
+    /// The part that is not negative: a better enclosure of a number that is known not to be negative.
     pub(crate) fn not_negative(self) -> Self {
         self.meet(Self::between(0.0, f64::INFINITY))
     }
 
-    /// The greater one of a number and zero.
+    /// The interval of `max(x, 0)`.
     pub(crate) fn positive_part(self) -> Self {
         Self { lo: self.lo.max(0.0), hi: self.hi.max(0.0) }
     }
 
-    /// The square, which is not the product of two different numbers of the interval.
+    /// The square. It is narrower than the product of two independent numbers of the interval.
     pub fn square(self) -> Self {
         (self * self).not_negative()
     }
 
-    /// The square root of what in it is not negative.
+    /// The square root of the part that is not negative.
     pub fn sqrt(self) -> Self {
         if self.is_zero() {
             return Self::ZERO;
@@ -142,7 +142,7 @@ impl Interval {
         [around(libm::cos(middle)), around(libm::sin(middle))]
     }
 
-    /// What lies in both: of two enclosures of one number a better one.
+    /// The intersection: a better enclosure of one number from two.
     pub(crate) fn meet(self, other: Self) -> Self {
         Self { lo: self.lo.max(other.lo), hi: self.hi.min(other.hi) }
     }
@@ -152,7 +152,7 @@ impl Add for Interval {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        // A sum with zero is exact, and that of a number and its negative.
+        // A sum with zero is exact, and so is the sum of a number and its negative.
         match (self.is_zero(), other.is_zero()) {
             (true, _) => other,
             (_, true) => self,
@@ -182,7 +182,7 @@ impl Mul for Interval {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
-        // So is a product with it, as long as the other factor is finite.
+        // A product with zero is exact if the other factor is finite.
         if (self.is_zero() && other.is_finite()) || (other.is_zero() && self.is_finite()) {
             return Self::ZERO;
         }

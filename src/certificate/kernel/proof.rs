@@ -1,29 +1,29 @@
-//! From nodes to a proven pair: a deflection `v̂` that is admissible everywhere and a moment field `M` whose contact load
-//! presses everywhere.
+//! From nodes to a proven pair: a deflection `v̂` that is admissible everywhere and a moment field `M` whose contact load is compressive
+//! everywhere.
 //!
-//! In contact `v̂ = g` and `M = −EI g''`; in a span `v̂` is the exact beam between its nodes and `M` the moment field with
-//! `M'' = −q` and the moments of its two ends, of which a free end of the beam has none. Then `(g − v̂) p = 0` everywhere,
-//! `EI v̂'' + M` is linear in each span, `r` say, and
+//! In contact `v̂ = g` and `M = −EI g''`. In a span `v̂` is the exact beam between its nodes, and `M` is the moment field with `M'' = −q`
+//! and the moments of its two ends; at a free end of the beam this moment is zero. Then `(g − v̂) p = 0` everywhere, `r = EI v̂'' + M` is
+//! linear in each span, and
 //!
 //! ```text
 //! J(v̂) − D(p, R) = Σ L (r₀² + r₀ r₁ + r₁²) / 6 EI
 //! ```
 //!
-//! To prove are `g − v̂ ≥ 0` in spans, `q − EI g'''' ≥ 0` in zones, in which no couple acts, and at nodes without a support the
-//! concentrated forces `M'(x+) − M'(x−) + P ≥ 0`, with a point load `P` that stands there, `M(x+) = M(x−) + C` with a couple `C`, and in
-//! hinges `M = 0`.
+//! The proof needs `g − v̂ ≥ 0` in spans, and `q − EI g'''' ≥ 0` in zones, in which no couple may act. At nodes without a support it
+//! needs concentrated forces `M'(x+) − M'(x−) + P ≥ 0`, with a point load `P` there, and `M(x+) = M(x−) + C` with a couple `C`. In hinges
+//! it needs `M = 0`.
 //!
-//! Where one of them fails, the pair is corrected until it holds: a span is lifted by `α φ` (module `clearance`), which is zero
-//! wherever the beam is pressed, and what pulls, `p⁻`, is cut off, which changes `M` by the moments of `p⁻` on the beam on two
-//! of its supports, or built in. With `‖m‖² = ∫ m²/EI dx`
+//! If one of these conditions fails, the pair is corrected until it is satisfied. A span is lifted by `α φ` (module `clearance`), which
+//! is zero wherever the beam is pressed. Tension `p⁻` is cut off. This changes `M` by the moments of `p⁻` on the beam on two of its
+//! supports, or built in. With `‖m‖² = ∫ m²/EI dx`
 //!
 //! ```text
 //! ‖M⁻‖ ≤ ∫ p⁻ √c(x, x) dx,     gap = ½ (‖r‖ + ‖EI α φ''‖ + ‖M⁻‖)²
 //! ```
 //!
-//! so that what rounding leaves open at a tie costs as much as the rounding, and a wrong witness what it is wrong by. A beam
-//! without two supports is held by contact forces: what is cut off is taken from two of them, and none may be used up. Where only
-//! one place carries the beam, the ground beside it stops the beam from turning (`stops`), and takes couples.
+//! So a tie that rounding leaves open costs as much as the rounding, and a wrong witness costs as much as its error. A beam without two
+//! supports is held by contact forces: what is cut off is taken from two of them, and neither may be used up. If only one position
+//! carries the beam, the foundation next to it stops the rotation of the beam (`stops`), and carries couples.
 
 use super::clearance;
 use super::contact_node::{ContactNode, EnclosedScene, EnclosedSupport, Slope};
@@ -43,52 +43,55 @@ pub(crate) struct Piece {
     pub(crate) to: f64,
     /// `v(from + s)`.
     pub(crate) v: Polynomial,
-    /// True where the contact load of `M` may press; on rigid ground it is the foundation itself there, exactly.
+    /// Whether the contact load of `M` may be positive here. On a rigid foundation `v` is then the foundation itself, exactly.
     pub(crate) pressed: bool,
 }
 
 /// A proven pair.
 #[derive(Debug, Clone)]
 pub(crate) struct Pair {
-    /// `v̂`: its value and its slope are continuous, and its supports hold it. Pieces end where the load changes its formula
+    /// `v̂`, with continuous value and slope, which satisfies the support conditions. Pieces end where the formula of the load changes
     /// and at point loads.
     pub(crate) pieces: Vec<Piece>,
-    /// At least `J(v̂) − D(p, R)`.
+    /// An upper bound of `J(v̂) − D(p, R)`.
     pub(crate) gap: f64,
-    /// Places that carry the beam and what they exert upwards, from left to right, where the contacts of `M` are those of the beam.
+    /// The positions that carry the beam and the upward force at each, from left to right, if the contacts of `M` are the contacts of the
+    /// beam.
     pub(crate) carried: Vec<(f64, Interval)>,
-    /// What holds the beam: each of them alone bounds the distance of `v̂` from `v*`.
+    /// The reference lines: each of them alone bounds the distance of `v̂` from `v*`.
     pub(crate) lines: Vec<Line>,
-    /// The same by parts of zones, where that was asked.
+    /// The reference lines through parts of zones, if they were requested.
     pub(crate) zones: Vec<Line>,
-    /// The place about which the beam may turn without a force, if the contacts of `M` do not say how it stands.
+    /// The position about which the beam can rotate without a force, if the contacts of `M` do not determine its position.
     pub(crate) turns_about: Option<f64>,
-    /// How far `v̂` was lifted at most off the deflection that the places of the witness make; infinite if it is of no witness.
+    /// The largest distance by which `v̂` was lifted from the deflection implied by the positions of the witness; infinite if it follows
+    /// from no witness.
     pub(crate) lifted: f64,
-    /// What an elastic foundation adds; [`None`] on a rigid one.
+    /// Data for an elastic foundation; [`None`] on a rigid one.
     pub(crate) ground: Option<Sprung>,
-    /// What joints and springs take up, `½Σ k [v̂']²` and so on, less the work of springs that are loads.
+    /// The energy of joints and springs, `½Σ k [v̂']²` and so on, minus the work of springs that act as loads.
     pub(crate) turned: Interval,
     /// [`EnclosedScene::soft`].
     pub(crate) soft: f64,
-    /// What holds it as a string.
+    /// The restraints of the beam as a string.
     pub(crate) taut: Taut,
 }
 
-/// What a pair on an elastic foundation has besides.
+/// Further data of a pair on an elastic foundation.
 #[derive(Debug, Clone)]
 pub(crate) struct Sprung {
     /// `½∫ k (v̂ − g)₊²`.
     pub(crate) energy: Interval,
-    /// `M(from + s)` of the pair before pulls are cut off, by parts from left to right: in balance with the loads but for supports.
+    /// `M(from + s)` of the pair before tension is cut off, by parts from left to right: in equilibrium with the loads except at
+    /// supports.
     pub(crate) moments: Vec<([f64; 2], Polynomial)>,
 }
 
-/// The pair of some nodes, if there is one.
+/// Proves the pair of some nodes, if there is one.
 pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Option<Pair> {
     is_complete(enclosed, nodes).then_some(())?;
     let (stiffest, mut turned) = (Interval::exact(enclosed.stiffest), Interval::ZERO);
-    // Part i is that to the left of node i.
+    // Part `i` is to the left of node `i`.
     let ends = |i: usize| [i.checked_sub(1).map(|i| &nodes[i]), nodes.get(i)];
     let spans: Vec<Option<Span>> = (0..=nodes.len()).map(|i| enclosed.span(ends(i)[0], ends(i)[1])).collect();
     let spans = enclosed.balanced(nodes, spans);
@@ -106,7 +109,7 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
             continue;
         };
         let length = Interval::length(span.from, span.to);
-        // At a free end what acts there.
+        // The moments at the free ends are the couples that act there.
         let [first, last] = [enclosed.load.couple(0.0), -enclosed.load.couple(enclosed.length)];
         let beside = |i: usize, side: usize, end| moments.get(i).map_or(end, |node| node.0[side]);
         let moments = [beside(i.wrapping_sub(1), 1, first), beside(i, 0, last)];
@@ -130,7 +133,7 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
             Piece { from, to, v, pressed: false }
         }));
     }
-    // The place above which the loads are in balance, if that is all that carries the beam.
+    // The position above which the loads are in balance, if only this position carries the beam.
     let turns_about = enclosed.balanced_at.filter(|_| matches!(nodes, [node] if enclosed.balanced_at == Some(node.x)));
     let mut forces = Vec::new();
     for (i, (node, &(_, jump))) in nodes.iter().zip(&moments).enumerate() {
@@ -139,8 +142,8 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
         if enclosed.is_hinge(node.x) && spans[i].is_none() {
             cut_off.hinge(enclosed, node.x, moments[i].0[0]);
         }
-        // Loads in balance need no couple. The couple `C` that a single place lacks is left to the tension and costs `C |w'|`, less than a moment
-        // in a hinge does.
+        // Loads in balance need no couple. A couple `C` that a single position lacks is left to the tension. It costs `C |w'|`, which is
+        // less than the cost of a moment in a hinge.
         let alone = 0.0 < enclosed.tension && enclosed.supports.is_empty() && nodes.len() == 1;
         let turns = turns_about.is_some() || enclosed.hangs_on(nodes) || alone;
         if alone {
@@ -163,7 +166,8 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
     Some(Pair { pieces, gap, carried, lines, zones, turns_about, lifted, ground, turned, soft, taut })
 }
 
-/// What a node cannot exert of its force and couple is cut off; what a support that gives lacks of its law, and its energy.
+/// Cuts off the part of the force and of the couple that a node cannot exert. Returns the deviation of an elastic support from its law,
+/// and its energy.
 fn at_node(
     enclosed: &EnclosedScene<'_>,
     node: &ContactNode,
@@ -179,14 +183,14 @@ fn at_node(
     let (mut jump, mut costs) = (jump, [Interval::ZERO; 2]);
     if let Some(gives) = support.and_then(|support| support.gives) {
         let (state, force) = (enclosed.end(node), if pushes { force.positive_part() } else { force });
-        // Where the ground holds the slope it takes what a spring against turning does not.
+        // Where the foundation fixes the slope, it carries the moment that a rotational spring does not.
         let follows = matches!(node.slope, Slope::OfGround { .. });
         let own = if follows { gives.jump(state[1]) } else { jump };
         costs = [gives.misfit([force, own], state), gives.energy(state)];
         jump = if follows { jump - own } else { jump };
     }
     if !turns {
-        // What the beam is built in exerts any couple.
+        // A built-in support can exert any couple.
         let any = support.is_some_and(|s| s.slope.is_some() || s.holds_slope() && matches!(node.slope, Slope::Free(_)));
         let made = |left: bool| any || support.is_some() && enclosed.order(node, left) == 2;
         cut_off.couple(node.x, jump, [true, false].map(made));
@@ -194,17 +198,17 @@ fn at_node(
     costs
 }
 
-/// The gap with what corrections cost: those of `v̂`, and the moments and the share of what is cut off, which is taken from places that
-/// are `off` the ground by so much.
+/// The gap including the cost of corrections: the lifts of `v̂`, and the moments and the share of what is cut off. The share is taken
+/// from positions that are `off` the foundation by at most this distance.
 fn corrected(gap: Interval, lifts: Interval, [moment, share]: [Interval; 2], off: f64, steady: Interval) -> f64 {
     let root = (number(2) * gap.not_negative()).sqrt() + lifts.sqrt() + moment;
-    // What presses beside the ground has the clearance there for its gap.
+    // A contact force at a distance from the foundation adds its product with the clearance.
     let gap = root.square() / number(2) + share * Interval::exact(off);
     if steady == number(1) { gap.hi() } else { (gap / steady.square()).hi() }
 }
 
-/// Whether nodes are in order, have all supports among them, end every zone that they start, and follow the ground only where
-/// they meet it. Of anything else nothing follows.
+/// Whether the nodes are in order, include all supports, end every zone that they start, and follow the foundation only where they meet
+/// it. No proof is attempted otherwise.
 fn is_complete(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> bool {
     let in_order = nodes.windows(2).all(|w| w[0].x < w[1].x) && nodes.last().is_some_and(|node| !node.lies);
     let inside = nodes.iter().all(|node| (0.0..=enclosed.length).contains(&node.x));
@@ -213,16 +217,16 @@ fn is_complete(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> bool {
         let [left, right] = [true, false].map(|left| enclosed.order(node, left) == 2);
         let built_in = enclosed.support(node.x).is_some_and(|s| s.slope.is_some());
         let follows = !built_in && matches!(node.slope, Slope::OfGround { .. });
-        // A zone ends in a hinge with any slope beyond.
+        // A zone that ends in a hinge may have any slope beyond it.
         let ends = left || enclosed.is_hinge(node.x) && enclosed.support(node.x).is_none();
         (!follows || left || right) && (i == 0 || !nodes[i - 1].lies || ends) && (!node.lies || right)
     });
     in_order && inside && supports == enclosed.supports.len() && meet
 }
 
-/// `M` beside node `i`, on its left and on its right side, and what its jump is more than the couple that acts there. Part `i` of the beam is on the left and part `i + 1` on the
-/// right. Beside a zone, an overhang and no beam only one moment is possible. Between two spans any is, and where none but
-/// the same on both sides is admissible, a number between theirs is taken.
+/// `M` on the left and on the right of node `i`, and the excess of its jump over the couple that acts there. Part `i` of the beam is on
+/// the left of the node and part `i + 1` on the right. Next to a zone, at an overhang and at an end of the beam only one moment is
+/// possible. Between two spans any moment is possible. If it must be the same on both sides, the mean of the two values is used.
 fn moments(
     enclosed: &EnclosedScene<'_>,
     nodes: &[ContactNode],
@@ -246,7 +250,7 @@ fn moments(
     if held || given == [true; 2] {
         return (own, own[1] - own[0] - couple);
     }
-    // Without the couple it is the same on both sides.
+    // Without the couple, the moment is the same on both sides.
     let from = [own[0], own[1] - couple];
     let between = || Interval::exact(0.5 * (from[0].middle() + from[1].middle()));
     let left = [0, 1].into_iter().find(|side| given[*side]).map_or_else(between, |side| from[side]);

@@ -7,9 +7,10 @@
 //! ```
 //!
 //! Sylvester's law of inertia decides whether it is stable. Deflections `y` and moments `M` are eliminated from left to right, as in
-//! `scene::axial`. For a stable beam each moment has one negative pivot and each deflection has none; a position may have two if
-//! another one has none. The sign of each pivot is proven. Where `y` or `M` is zero its row is omitted, which is the limit of an
-//! infinite `b` or `g`:
+//! `scene::axial`. The beam is stable if there are as many negative pivots as moments. Usually deflection and moment of a position
+//! together have one negative pivot, but one position may have two if another one has none. The number of negative pivots is proven:
+//! where the product `−d` of the two pivots of a position is negative, one of them is, and otherwise the sign of each is proven. Where
+//! `y` or `M` is zero its row is omitted, which is the limit of an infinite `b` or `g`:
 //!
 //! ```text
 //! a = b + n,  h = c + e,  d = a g + h²        b' = (b (c² + n g) + n e²)/d,   e' = (b c (g + ω) + e (c e + c² − n ω))/d

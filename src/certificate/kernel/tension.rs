@@ -1,18 +1,20 @@
-//! A beam under an axial force `N`, tension positive: a span of it as parts with a polynomial each, from anybody.
+//! A beam under an axial force `N`, tension positive: its spans are divided into parts with one polynomial each, from any source.
 //!
-//! For any `v̂` that its supports hold, the axial force is a load `−N v̂''` that is known: with moments `M` in balance with the loads
+//! For any `v̂` that satisfies the support conditions, the axial force is a known load `−N v̂''`. With moments `M` in equilibrium with
+//! the loads
 //!
 //! ```text
 //! M'' = p − q − N v̂'',    r = EI v̂'' + M,    H = M' + N v̂'  the vertical force, which contacts make jump
 //! J(v̂) − J* ≤ ρ²/2α + ∫ (g − v̂) dp,      ‖v̂ − v*‖² ≤ 2 (J(v̂) − J*)/α,      ρ² = ∫ r²/EI,   ‖w‖² = ∫ EI w''²
 //! ```
 //!
-//! if the second part of `J`, `½∫ EI w''² + ½∫ N w'²`, is at least `α ‖w‖²/2` for all `w` that vanish at the supports: `α = 1` under tension,
-//! and under compression what is proven to be left (`steady`). A gap that is divided by `α²` bounds both. In joints `k [w']²` belongs to the
-//! norm, and `(k [v̂'] + M)²/k` to `ρ²`; of supports that give what they take up, of ground that gives `½∫ (k ŵ − p)²/k` to the gap.
+//! if the quadratic part of `J`, `½∫ EI w''² + ½∫ N w'²`, is at least `α ‖w‖²/2` for all `w` that vanish at the supports. Under tension
+//! `α = 1`. Under compression `α` is the proven stability margin (`steady`). A gap divided by `α²` bounds both. In joints `k [w']²` is
+//! part of the norm, and `(k [v̂'] + M)²/k` is part of `ρ²`. Elastic supports add their energy to the norm, and an elastic foundation
+//! adds `½∫ (k ŵ − p)²/k` to the gap.
 //!
-//! A moment `M` that is left in a hinge costs `M [w']`. Up to the next joint, `a` away, the energy `E` of a beam under tension is at least
-//! `½ κ w'²` of the slope at the hinge, so that `|[w']| ≤ √(2/κ) √(2 E)`:
+//! A moment `M` that remains in a hinge costs `M [w']`. Let `a` be the distance to the next joint. The energy `E` of a beam under tension
+//! is at least `½ κ w'²` with the slope `w'` at the hinge, so that `|[w']| ≤ √(2/κ) √(2 E)`:
 //!
 //! ```text
 //! κ = √(N EI) tanh(μ a) ≥ √(N EI) μ a/(1 + μ a) = N a/(1 + μ a),      μ² = N/EI
@@ -38,13 +40,13 @@ pub(crate) struct Hung {
     pub(crate) deflection: Vec<f64>,
 }
 
-/// So many coefficients are used: what they cause is a polynomial, too.
+/// The number of coefficients that are used. The moments that they cause are polynomials too.
 pub(crate) const MOST_TERMS: usize = TERMS;
 
 /// The parts of a span, each with its deflection about its left end.
 pub(super) type Parts = Rc<[([f64; 2], Polynomial)]>;
 
-/// The polynomial that is given between two places; zero where there is none.
+/// The given polynomial between two positions; zero where none is given.
 fn given(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2]) -> Polynomial {
     let middle = 0.5 * (from + to);
     let next = enclosed.hung.partition_point(|part| part.to <= middle);
@@ -53,42 +55,42 @@ fn given(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2]) -> Polynomial {
     Polynomial::of(coefficients).shifted(Interval::length(part.from, from))
 }
 
-/// Deflection and slope of a polynomial at a place.
+/// Deflection and slope of a polynomial at a position.
 fn jet(of: &Polynomial, s: Interval) -> [Interval; 2] {
     [of.at(s), of.derivative().at(s)]
 }
 
-/// The same as numbers.
+/// The same, each as the midpoint of its interval.
 fn numbers(of: &Polynomial, s: Interval) -> [Interval; 2] {
     jet(of, s).map(|value| Interval::exact(value.middle()))
 }
 
-/// A polynomial moved without bending, so that it has this deflection and slope at a place.
+/// A polynomial plus a rigid-body motion, so that it has this deflection and slope at a position.
 fn moved(of: &Polynomial, [y, turn]: [Interval; 2], s: Interval) -> Polynomial {
     let [own, turned] = jet(of, s);
     of.plus(&Polynomial::new(&[y - own - (turn - turned) * s, turn - turned]))
 }
 
-/// A cell below this share of the widest one of its span is moved as it is given: a cubic over the width `w` that takes up a rounding `δ` of
-/// the deflection costs `12 EI δ²/w³`.
+/// A cell that is shorter than this share of the longest cell of its span is moved as a rigid body. A cubic correction over the width `w`
+/// for a rounding `δ` of the deflection would cost `12 EI δ²/w³`.
 const SHORT: f64 = 1e-3;
 
-/// What holds a beam under tension as a string: `½∫ N w'²` is less than the gap as well, and with a place `y` where `|w| ≤ ε`
+/// Restraints of a beam under tension as a string. `½∫ N w'²` is also less than the gap. With a position `y` where `|w| ≤ ε`
 ///
 /// ```text
-/// |w(x)| ≤ ε + √(2 gap (|x − y|/N + 1/k))        k of a support that gives there
+/// |w(x)| ≤ ε + √(2 gap (|x − y|/N + 1/k))        k of an elastic support at y
 /// ```
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Taut {
     places: Vec<Datum>,
-    /// At least `√(3 EI/N)`.
+    /// An upper bound of `√(3 EI/N)`.
     lever: f64,
 }
 
 impl Taut {
-    /// Of the places that carry a beam, of which a share is taken.
+    /// From the positions that carry a beam, each less a share of its force.
     pub(super) fn of(enclosed: &EnclosedScene<'_>, carriers: Vec<Datum>, gap: f64, share: Interval) -> Self {
-        /// The price of a bound is in proportion.
+        /// The cost of an error bound is proportional to it.
         const MOST: usize = 64;
         if enclosed.tension <= 0.0 {
             return Self::default();
@@ -99,7 +101,7 @@ impl Taut {
         Self { places, lever }
     }
 
-    /// At most `|w|` on a part of the beam, from `√(2 gap/3 EI)`.
+    /// An upper bound of `|w|` on a part of the beam, from the factor `√(2 gap/3 EI)`.
     pub(super) fn on_part(&self, factor: f64, [a, b]: [f64; 2]) -> f64 {
         let bound = |place: &Datum| {
             let far = (b - place.from).max(place.to - a).max(0.0);
@@ -111,14 +113,14 @@ impl Taut {
         self.places.iter().map(bound).fold(f64::INFINITY, f64::min)
     }
 
-    /// Where they are.
+    /// The ends of all data.
     pub(super) fn places(&self) -> impl Iterator<Item = f64> {
         self.places.iter().flat_map(|place| [place.from, place.to])
     }
 }
 
 impl Span {
-    /// The beam between two places with `[v, v']` at those that are no free end, by what is given of it.
+    /// The beam between two positions, from the given parts. `ends` contains `[v, v']` at each end that is not free.
     pub(super) fn under_tension(
         enclosed: &EnclosedScene<'_>,
         [from, to]: [f64; 2],
@@ -154,7 +156,7 @@ impl Span {
         Self::of_parts(enclosed, parts.into(), kinks, loaded, ends.map(|end| end.is_none()))
     }
 
-    /// The span of these parts, of which an end may be free.
+    /// The span that consists of these parts. One end may be free.
     fn of_parts(
         enclosed: &EnclosedScene<'_>,
         parts: Parts,
@@ -172,7 +174,7 @@ impl Span {
         let [mut start, mut end] = [jet(first, Interval::ZERO), jet(last, Interval::length(last.0[0], to))];
         let pulled = Interval::exact(enclosed.tension) * (end[0] - start[0]);
         let (load, [b, a]) = (enclosed.load, loaded.map(|mean| mean * length));
-        // At a free end moment and vertical force are what acts there.
+        // At a free end, moment and vertical force equal the couple and the load there.
         if free[1] {
             let moment = pulled - load.couple(to) - a - load.point(to) * length;
             start[2] = -(moment / enclosed.stiffness_beside(from, false));
@@ -185,7 +187,7 @@ impl Span {
         Self { from, to, start, end, loaded, flexible: None, kinks, hung: Some(parts) }
     }
 
-    /// An overhang turned about the one place that carries a beam.
+    /// An overhang, rotated about the only position that carries the beam.
     fn turned(&self, enclosed: &EnclosedScene<'_>, about: f64, angle: Interval) -> Option<Self> {
         let parts = self.hung.as_ref()?.iter().map(|([from, to], v)| {
             let turn = Polynomial::new(&[angle * Interval::length(about, *from), angle]);
@@ -195,7 +197,7 @@ impl Span {
         Some(Self::of_parts(enclosed, parts.collect(), self.kinks.clone(), self.loaded, free))
     }
 
-    /// `M` on each part, from the moments at the two ends of the span and the vertical force at the left one.
+    /// `M` on each part, from the moments at the two ends of the span and the vertical force at the left end.
     pub(super) fn moments_under_tension(
         &self,
         enclosed: &EnclosedScene<'_>,
@@ -203,7 +205,7 @@ impl Span {
         moments: [Interval; 2],
     ) -> Vec<([f64; 2], Polynomial)> {
         let (load, tension) = (enclosed.load, Interval::exact(enclosed.tension));
-        // From one place where the load changes to the next one: it, its shear force and moment there, and `∬q` beyond.
+        // For each interval between changes of the load: its start, the shear force and moment there, and `∬q` beyond it.
         let mut breaks = load.breaks(self.from, self.to).into_iter().peekable();
         let at = |x: f64, to: f64| Polynomial::new(&load.line(x, [x, to])).integral().integral();
         let next =
@@ -224,7 +226,7 @@ impl Span {
         parts.iter().map(of).collect()
     }
 
-    /// At least `½∫ r²/EI + Σ (k [v̂'] + M)²/2k` of parts, from the moments at the two ends of the span.
+    /// An upper bound of `½∫ r²/EI + Σ (k [v̂'] + M)²/2k` over the parts, from the moments at the two ends of the span.
     pub(super) fn work_under_tension(
         &self,
         enclosed: &EnclosedScene<'_>,
@@ -245,7 +247,7 @@ impl Span {
         sum
     }
 
-    /// The moments that are left in hinges inside, with the place of each.
+    /// The moments that remain in hinges inside the span, with the position of each.
     pub(super) fn hinges_under_tension(
         &self,
         enclosed: &EnclosedScene<'_>,
@@ -265,8 +267,8 @@ impl Span {
         if to.total_cmp(&self.to).is_eq() { moments[1] } else { bent.at(Interval::length(from, to)) }
     }
 
-    /// Lifts the parts beside contacts, each for itself, as far as it has to be: over a whole span the axial force would make much of what is
-    /// a rounding of `h''` at a contact. At least the root of what it costs.
+    /// Lifts the parts next to contacts separately, as far as necessary. If a whole span were lifted, the axial force would amplify a
+    /// rounding of `h''` at a contact. Returns an upper bound of the square root of the cost.
     pub(super) fn lift_beside(
         &self,
         enclosed: &EnclosedScene<'_>,
@@ -280,7 +282,7 @@ impl Span {
         let all = curves.len();
         let sides = [(true, [nodes[0], None]), (false, [None, nodes[1]])];
         for (left, ends) in sides.into_iter().filter(|(_, ends)| *ends != [None; 2]) {
-            // Over a part that is next to nothing all is rounding.
+            // On a very short part everything is rounding, so up to three parts are combined.
             let (lift, beside, width) = [1, 2, 3].into_iter().filter(|count| *count < all).find_map(|count| {
                 let beside = if left { 0..count } else { all - count..all };
                 let [from, to] = [curves[beside.start].0[0], curves[beside.end - 1].0[1]];
@@ -299,7 +301,7 @@ impl Span {
         Some(cost)
     }
 
-    /// Its deflection by parts, each about both of its ends, with `breaks` among these.
+    /// The deflection by parts, each about both of its ends. `breaks` are additional ends.
     pub(super) fn curves_of(&self, parts: &Parts, breaks: Vec<f64>) -> Vec<Curve> {
         let places = parts.iter().map(|part| part.0[0]).chain(breaks).collect();
         let curve = |cell: [f64; 2]| {
@@ -312,7 +314,7 @@ impl Span {
 }
 
 impl EnclosedScene<'_> {
-    /// At least `√(2/κ)` of a hinge; [`None`] without tension.
+    /// An upper bound of `√(2/κ)` for a hinge; [`None`] without tension.
     pub(super) fn turn_of_hinge(&self, x: f64) -> Option<Interval> {
         (0.0 < self.tension).then_some(())?;
         let ends = self.joints.iter().map(|joint| joint.0).chain([0.0, self.length]);
@@ -322,14 +324,15 @@ impl EnclosedScene<'_> {
         Some((number(2) * (number(1) + rate * free) / (tension * free)).sqrt())
     }
 
-    /// Whether one place carries a beam under tension, which turns there until its moments are balanced.
+    /// Whether a single position carries a beam under tension, so that the beam rotates there until its moments are balanced.
     pub(super) fn hangs_on(&self, nodes: &[ContactNode]) -> bool {
         let is_free = |node: &ContactNode| matches!(node.slope, Slope::Free(_));
         let is_held = |node: &ContactNode| self.support(node.x).is_some_and(|support| support.holds_slope());
         0.0 < self.tension && matches!(nodes, [node] if is_free(node) && !is_held(node))
     }
 
-    /// The overhangs of such a beam, turned by `ε`, so that the moments beside the place are balanced: `N ε l` of them was off.
+    /// The overhangs of such a beam, rotated by `ε` so that the moments on both sides of the position are balanced: `N ε l` equals their
+    /// difference before.
     pub(super) fn balanced(&self, nodes: &[ContactNode], spans: Vec<Option<Span>>) -> Vec<Option<Span>> {
         let [node] = nodes else { return spans };
         if !self.hangs_on(nodes) {
@@ -344,14 +347,14 @@ impl EnclosedScene<'_> {
         spans.iter().map(|span| span.as_ref()?.turned(self, node.x, angle)).collect()
     }
 
-    /// The vertical force `H` of a beam that follows the ground, just beside a place.
+    /// The vertical force `H` of a beam that follows the foundation, on one side of a position.
     pub(super) fn force_along(&self, x: f64, left: bool) -> Interval {
         let (jet, stiffness) = (self.gap.jet(x, left), self.stiffness_beside(x, left));
         let shear = -(stiffness * jet[3]);
         if self.tension == 0.0 { shear } else { shear + Interval::exact(self.tension) * jet[1] }
     }
 
-    /// `ρ²` of a lift of a span, from `∫ EI φ''²`: the axial force acts on it as well.
+    /// `ρ²` of the lift of a span, from `∫ EI φ''²`, including the effect of the axial force.
     pub(super) fn lifted(&self, bent: Interval, lift: &Polynomial, length: Interval) -> Interval {
         if self.tension == 0.0 {
             return bent;

@@ -1,16 +1,17 @@
-//! Beams with hinges: whether the loads move a part of one without end, up or into a gap.
+//! Beams with hinges: whether the loads move a part of the beam without end, upwards or into an opening.
 //!
-//! A motion without bending is a line `w` with a corner in each hinge: zero at what holds the beam, not downwards at what only pushes. The loads
-//! can be balanced if and only if they do no work on such a motion. From left to right, the most work on all that is to the left of a hinge
-//! is homogeneous in the motion of the hinge, so that two numbers say it: for one up and for one down.
+//! A motion without bending is a line `w` with a corner in each hinge. It is zero at bilateral supports, and not downwards at
+//! compression-only supports and at the foundation. The loads can be balanced if and only if they do no positive work on any such motion.
+//! The parts are examined from left to right. The largest work on all parts to the left of a hinge is proportional to the motion of the
+//! hinge, so two numbers describe it: one for a motion up and one for a motion down.
 
 use super::{Unheld, pushing};
 use crate::scene::{Concentrated, Scene};
 
-/// Work that is less is zero but for rounding, as a share of what the loads do up and down.
+/// A smaller work is zero within rounding, as a share of the work of all loads without regard to signs.
 const ROUNDING: f64 = 1e-10;
 
-/// The most work, what it is a difference of, and how the hinge before moves.
+/// The largest work, the sum of the magnitudes of its terms, and the motion of the hinge before.
 #[derive(Debug, Clone, Copy)]
 struct Work {
     work: f64,
@@ -18,19 +19,19 @@ struct Work {
     before: f64,
 }
 
-/// Up and down, of those that are possible.
+/// For a motion up and a motion down, if it is possible.
 type Most = [Option<Work>; 2];
 
-/// A part between two hinges, or from one to an end.
+/// A part between two hinges, or from a hinge to an end.
 struct Part {
     from: f64,
     to: f64,
-    /// Work for a motion of each end, and what it is a difference of.
+    /// Work for a unit motion of each end, and the sum of the magnitudes of its terms.
     work: [f64; 2],
     size: [f64; 2],
-    /// Shares of its length, and whether something holds there, or only pushes.
+    /// Positions as shares of the length of the part, and whether the contact there is bilateral; otherwise it is compression-only.
     stops: Vec<(f64, bool)>,
-    /// Whether it cannot turn.
+    /// Whether the part cannot rotate.
     is_level: bool,
 }
 
@@ -43,7 +44,7 @@ impl Part {
         for q in load.spread(l).filter(|q| q.from < to && from < q.to) {
             let [a, b] = [q.from.max(from), q.to.min(to)];
             let at = |x: f64| q.start + (q.end - q.start) * ((x - q.from) / (q.to - q.from));
-            // As two forces, the thirds of a triangle each.
+            // A distributed load as two forces, each from the thirds of two triangles.
             for (x, third) in [(a, 2.0 * at(a) + at(b)), (b, at(a) + 2.0 * at(b))] {
                 part.add(third * (b - a) / 6.0, share(x));
             }
@@ -67,7 +68,7 @@ impl Part {
         part
     }
 
-    /// Adds a force at a share of its length.
+    /// Adds a force at a share of the length.
     fn add(&mut self, force: f64, t: f64) {
         for (k, share) in [1.0 - t, t].into_iter().enumerate() {
             self.work[k] += force * share;
@@ -75,7 +76,7 @@ impl Part {
         }
     }
 
-    /// Between what its left end may be if its right end moves by `y`.
+    /// The range of the possible motions of the left end if the right end moves by `y`.
     fn range(&self, y: f64) -> Option<[f64; 2]> {
         let [mut least, mut most] = if self.is_level { [y; 2] } else { [f64::NEG_INFINITY, f64::INFINITY] };
         for &(t, holds) in &self.stops {
@@ -92,7 +93,7 @@ impl Part {
         (least <= most + ROUNDING * most.abs()).then_some([least, most])
     }
 
-    /// The work if its ends move so, with that of all on its left.
+    /// The work if its ends move in this way, including the work on all parts to its left.
     fn with(&self, left: &Most, [x, y]: [f64; 2]) -> Option<Work> {
         let none = Work { work: 0.0, size: 0.0, before: 0.0 };
         let beyond = if x == 0.0 { none } else { left[usize::from(0.0 < x)]? };
@@ -102,7 +103,7 @@ impl Part {
     }
 }
 
-/// What moves without end, if anything does.
+/// Checks that no part can move without end.
 ///
 /// # Errors
 ///
@@ -126,7 +127,7 @@ pub(super) fn rests(scene: &Scene) -> Result<(), Unheld> {
             }
         }
         let to = [-1.0, 1.0].map(|y| {
-            // Of what is concave the ends of the range are enough, and zero.
+            // The work is concave, so the ends of the range and zero are enough.
             let [least, most] = part.range(y)?;
             let inside = (least <= 0.0 && 0.0 <= most).then_some(0.0);
             let tried = [least, most].into_iter().chain(inside).filter(|x| x.is_finite());
@@ -142,7 +143,7 @@ pub(super) fn rests(scene: &Scene) -> Result<(), Unheld> {
     Ok(())
 }
 
-/// The words for a motion, from those of the ends of its last part.
+/// The error for a motion, from the motions of the ends of its last part.
 fn moved(parts: &[Part], most: &[Most], [x, y]: [f64; 2]) -> Unheld {
     let (mut first, mut motion, mut left) = (parts.len() - 1, vec![y, x], x);
     while 0 < first

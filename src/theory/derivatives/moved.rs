@@ -1,15 +1,16 @@
-//! Derivatives of a general beam, with supports that give, joints, steps or an axial force: differences of answers in scenes beside its own.
+//! Derivatives of a general beam, with elastic supports, joints, steps or an axial force: differences of answers in neighbouring scenes.
 //!
-//! On rigid ground these keep the contacts and the pressed stops of the answer, whether they meet their conditions there or not: numbers that are
-//! smooth functions of the number of the scene. On an elastic foundation they are the answers there. With `f_k` at `k` steps `h`
+//! On a rigid foundation, the neighbouring answers keep the contacts and the pressed stops of the answer, whether their conditions are
+//! satisfied there or not. So their results are smooth functions of the number of the scene. On an elastic foundation the scenes are
+//! solved anew. With `f_k` at `k` steps `h`
 //!
 //! ```text
 //! f' = (45 (f₁ − f₋₁) − 9 (f₂ − f₋₂) + (f₃ − f₋₃))/60h + O(h⁶)         (8 (f₁ − f₋₁) − (f₂ − f₋₂))/12h + O(h⁴)
 //! f' = ±(−25 f₀ + 48 f₁ − 36 f₂ + 16 f₃ − 3 f₄)/12h + O(h⁴)           on one side
 //! ```
 //!
-//! Of several steps the one counts of which the first two differ least. A derivative holds on both sides where both last ones are the same and the
-//! answer goes on.
+//! The result comes from the step for which the formula and the formula of the next lower order differ least. The derivative is valid on
+//! both sides if both one-sided derivatives are the same and the answer continues on both sides.
 
 use super::{By, ContactDerivative, Derivative, Missing};
 use crate::scene::{Quantity, Scene};
@@ -23,23 +24,24 @@ use crate::theory::search::Candidate;
 use crate::theory::sensitivity::Change;
 use crate::theory::solve::solve_near;
 
-/// Steps over a change that means nothing: of a number they are shares of 1e-2 to 1e-5.
+/// Steps, in multiples of a negligible change ([`NOTHING`]): shares of 1e-2 to 1e-5 of the size of a number.
 const STEPS: [f64; 4] = [1e5, 1e4, 1e3, 1e2];
 
-/// Answers that a derivative takes.
+/// An upper limit of the number of answers that a derivative needs.
 pub(super) const ANSWERS: usize = 2 + 9 * STEPS.len();
 
-/// A difference of the derivatives on both sides by this share of them, or by [`ROUNDING`] of the largest of their kind, is one of differences.
+/// Derivatives on both sides that differ by less than this share of them, or by less than [`ROUNDING`] of the largest result of their
+/// kind, are the same: the difference can come from the differences.
 const SAME: f64 = 1e-4;
 
-/// A share of the largest number of its kind over the size of what is varied.
+/// As a share of the largest result of its kind over the size of the varied number.
 const ROUNDING: f64 = 1e-6;
 
-/// Derivatives from the left, from both sides and from the right, as far as there are any.
+/// Derivatives from the left, from both sides and from the right, as far as they exist.
 struct Sides([Option<Vec<f64>>; 3]);
 
 impl Exact {
-    /// The derivative that is asked for, of a scene whose contacts are kept.
+    /// The requested derivative, by answers that keep the contacts.
     pub(super) fn moved_derivative(&self, scene: &Scene, asked: Asked, lies: bool) -> Derivative {
         let goes_on = if lies || asked.moves_at_zone(self) { [false; 2] } else { self.goes_on_beside(scene, asked) };
         let sizes = self.sizes();
@@ -61,7 +63,7 @@ impl Exact {
         self.of_numbers(asked.by, &numbers.unwrap_or_else(|| vec![f64::NAN; sizes.len()]), one_sided, missing)
     }
 
-    /// On which sides of a scene this answer goes on, as the number falls and as it grows.
+    /// Whether this answer continues if the number decreases, and if it increases.
     fn goes_on_beside(&self, scene: &Scene, asked: Asked) -> [bool; 2] {
         [-asked.least, asked.least].map(|step| {
             let there = asked.moved(scene, step).and_then(|there| self.kept_in(&there));
@@ -69,7 +71,7 @@ impl Exact {
         })
     }
 
-    /// This answer with its contacts and its pressed stops in another scene, and whether they meet their conditions there.
+    /// This answer with its contacts and its pressed stops in another scene, and whether their conditions are satisfied there.
     fn kept_in(&self, scene: &Scene) -> Option<(Self, bool)> {
         if self.springs.is_some() {
             let there = solve_near(scene, &[self]).ok().filter(|there| there.solved)?;
@@ -86,7 +88,7 @@ impl Exact {
         Some((Self::new(given, found, scaled.scale, scaled.scene.beam().bending_stiffness()), holds))
     }
 
-    /// The numbers that are differentiated: supports, contacts of the list, energy.
+    /// The results to be differentiated: reactions, contacts of the list, energy.
     fn numbers(&self) -> Vec<f64> {
         let supports = self.state.supports.iter().map(|support| support.force);
         let contacts = self.listed.iter().flat_map(|contact| {
@@ -96,7 +98,7 @@ impl Exact {
         supports.chain(contacts).chain([self.state.energy]).collect()
     }
 
-    /// The largest of each kind.
+    /// The scale of each result: the largest of its kind.
     fn sizes(&self) -> Vec<f64> {
         let forces = self.state.supports.iter().map(|support| support.force.abs());
         let force = forces.fold(self.given.total_load * self.stiffness * self.scale.force, f64::max);
@@ -106,7 +108,7 @@ impl Exact {
         supports.chain(contacts).chain([self.state.energy.abs()]).collect()
     }
 
-    /// By differences, of the step of which they are known best.
+    /// The derivatives from differences, for the step with the smallest error.
     fn differences(&self, scene: &Scene, asked: Asked, sizes: &[f64]) -> Sides {
         let at = |step: f64| {
             let there = asked.moved(scene, step)?;
@@ -136,7 +138,7 @@ impl Exact {
         Sides(best.map(|(_, found)| found))
     }
 
-    /// With its parts from a list of numbers.
+    /// Converts a list of numbers to a derivative.
     fn of_numbers(&self, by: By, numbers: &[f64], one_sided: bool, missing: Option<Missing>) -> Derivative {
         let (supports, rest) = numbers.split_at(self.state.supports.len());
         let contact = |(of, five): (&crate::state::Contact, &[f64])| ContactDerivative {
@@ -151,7 +153,7 @@ impl Exact {
         Derivative { by, one_sided, missing, supports: supports.to_vec(), contacts, contact_force, energy }
     }
 
-    /// What is asked of a general beam besides: the numbers of what it has.
+    /// The additional derivatives of a general beam: with respect to steps, joints, elastic supports, couples and axial force.
     pub(super) fn asked_besides(&self, scene: &Scene) -> Vec<Asked> {
         let beam = scene.beam();
         let (length, bending) = (beam.length(), beam.bending_stiffness());
@@ -176,7 +178,8 @@ impl Exact {
         all
     }
 
-    /// By the steps of the stiffness of an elastic foundation. A hole has none: as soon as there is something in it, contacts are others.
+    /// The derivatives with respect to the steps of the stiffness of an elastic foundation. A step to zero has none: as soon as it has a
+    /// stiffness, the contacts change.
     pub(super) fn asked_of_steps(scene: &Scene) -> impl Iterator<Item = Asked> + '_ {
         let is_one = scene.ground_changes().next().is_none();
         let steps = scene.ground_steps().iter().enumerate().filter(move |(_, step)| !is_one && 0.0 < step[1]);
@@ -188,7 +191,7 @@ impl Exact {
     }
 }
 
-/// Of the fourth and of the second order from one side.
+/// One-sided differences of fourth and of third order.
 fn one_sided(here: &[f64], beside: &[Option<Vec<f64>>; 4], h: f64) -> Option<[Vec<f64>; 2]> {
     let [one, two, three, four] = beside.each_ref().map(Option::as_ref);
     let (one, two, three, four) = (one?, two?, three?, four?);
@@ -199,7 +202,7 @@ fn one_sided(here: &[f64], beside: &[Option<Vec<f64>>; 4], h: f64) -> Option<[Ve
     Some([all.clone().map(fine).collect(), all.map(coarse).collect()])
 }
 
-/// Of the sixth and of the fourth order from both sides.
+/// Central differences of sixth and of fourth order.
 fn central(left: &[Option<Vec<f64>>; 4], right: &[Option<Vec<f64>>; 4], h: f64) -> Option<[Vec<f64>; 2]> {
     let apart = |k: usize| {
         let (left, right) = (left[k].as_ref()?, right[k].as_ref()?);

@@ -1,4 +1,4 @@
-//! The chain of the parts of a span, solved.
+//! The solution of the chain of the parts of a span.
 
 use super::Answer;
 use crate::qp::blocks::{Block, PENALTY, factor, factor_under_tension, solve_towards};
@@ -7,12 +7,12 @@ use crate::theory::span::{End, FixedEnd};
 use crate::theory::tension::Tense;
 use crate::theory::way::{Prescribed, Way};
 
-/// A part of the span, with what its load does.
+/// A part of the span, with the effect of its load.
 pub(super) struct Part {
     pub(super) ends: [End; 2],
     pub(super) stiffness: f64,
     pub(super) fixed: FixedEnd,
-    /// What it does under an axial force, in the place of that.
+    /// The law of the part under an axial force, used instead of the fixed-end forces.
     pub(super) tense: Option<Tense>,
 }
 
@@ -21,8 +21,8 @@ impl Part {
         self.ends[1].x - self.ends[0].x
     }
 
-    /// `h'`, what is in balance where parts meet, and `N` at both ends, from `h` and `n` there; without an axial force the latter two are
-    /// the same.
+    /// `h'`, the quantity in equilibrium where parts meet, and `N` at both ends, from `h` and `n` there. Without an axial force the
+    /// latter two are the same.
     fn ends(&self, [h, k]: [f64; 2], [n, m]: [f64; 2]) -> [[f64; 3]; 2] {
         if let Some(tense) = &self.tense {
             return tense.ends([h, k], [n, m]);
@@ -37,22 +37,22 @@ impl Part {
         ]
     }
 
-    /// The same of its load alone.
+    /// `h'` and `N` caused by its load alone.
     fn own(&self) -> [[f64; 2]; 2] {
         let (sixth, [g, k], [r, s]) = (self.length() / self.stiffness / 6.0, self.fixed.moment, self.fixed.shear);
         [[sixth * (2.0 * g + k), -r], [-sixth * (g + 2.0 * k), s]]
     }
 }
 
-/// An end of the chain, or where two parts meet: by how much `h`, `h'`, `n` and `N` jump, the flexibility of a joint, and the stiffness
-/// of springs.
+/// An end of the chain, or a position where two parts meet: the jumps of `h`, `h'`, `n` and `N`, the flexibility of a joint, and the
+/// stiffness of springs.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Place {
     step: f64,
     kink: f64,
-    /// Less what a spring against turning makes of the slope of `h`.
+    /// Without the part that a rotational spring exerts in proportion to the slope of `h`.
     couple: f64,
-    /// Less what a spring makes of `h`.
+    /// Without the part that a spring exerts in proportion to `h`.
     shear: f64,
     joint: f64,
     /// `n` of a beam without moment there: the slope of the beam jumps by `w e v'' = w (e g'' − n)`.
@@ -67,12 +67,13 @@ impl Place {
         Self { joint, straight, ..Self::default() }
     }
 
-    /// The flexibility of a joint; a hinge turns as far as it has to, which is found apart from the chain.
+    /// The flexibility of a joint; zero for a hinge, whose rotation is computed separately from the chain.
     fn flexibility(&self) -> f64 {
         if self.joint.is_finite() { self.joint } else { 0.0 }
     }
 
-    /// What happens at a breakpoint of a span that is computed in one `way`, or in its deflection from a `line`, there with its slope.
+    /// The jumps at a breakpoint of a span that is computed in its deflection (`in_beam`) relative to a `line`, given by its value and
+    /// slope there, or in its clearance.
     pub(super) fn at(given: &PiecewiseScene, i: usize, in_beam: bool, line: [f64; 2]) -> Self {
         let Breakpoint { x, acts, step, kink, joint, .. } = given.breakpoints[i];
         let [couple, force] = acts.jumps();
@@ -94,7 +95,7 @@ impl Place {
         place.on(given.spring_at(i), [right[0], left[1]])
     }
 
-    /// The same on a spring, below a deflection from `line`, with its slope.
+    /// Adds a spring. The deflection is measured from a line with this value and slope.
     fn on(self, spring: Option<&AtSpring>, [depth, slope]: [f64; 2]) -> Self {
         let Some(AtSpring { stiffness, level, turning, .. }) = spring else { return self };
         let [turning, without] = turning.unwrap_or_default();
@@ -119,7 +120,7 @@ impl AsMut<Block> for Row {
     }
 }
 
-/// The members, what acts on each, and those of each place: before a spring against turning there, and behind it.
+/// The members, the actions on each, and the members of each position: before a rotational spring there, and after it.
 struct Rows {
     rows: Vec<Row>,
     right: Vec<[f64; 2]>,
@@ -128,15 +129,15 @@ struct Rows {
 
 pub(super) struct Chain<'a> {
     pub(super) parts: &'a [Part],
-    /// One more than parts.
+    /// One more than there are parts.
     pub(super) places: &'a [Place],
     pub(super) way: &'a Way,
-    /// `n` and `N` beyond an end that a spring holds, and no node; under an axial force those of a free end.
+    /// `n` and `N` beyond an end that a spring holds instead of a node; under an axial force also beyond a free end.
     pub(super) beyond: [Option<[f64; 2]>; 2],
 }
 
 impl Chain<'_> {
-    /// `h, h', n, N` at both ends of each part, and the answer.
+    /// `h, h', n, N` at both ends of each part, and the response.
     pub(super) fn solve(&self) -> Option<(Vec<[[f64; 4]; 2]>, Answer)> {
         let Rows { mut rows, right, at } = self.rows();
         let axial = self.parts[0].tense.map(|tense| tense.force);
@@ -150,7 +151,7 @@ impl Chain<'_> {
             rows.iter_mut().enumerate().for_each(|(i, row)| row.right = right(i));
             solve_towards(&mut rows, meeting, |row| row.right);
             hinges.turn(&mut rows, loaded);
-            // Under compression a part beside a free end has a negative pivot, which others make up for.
+            // Under compression a part next to a free end has a negative pivot, and other parts compensate for it.
             let is_compressed = axial.is_some_and(|force| force < 0.0);
             let bears = |row: &Row| row.block.failed().is_none() || is_compressed && row.block.is_finite();
             let sound = rows.iter().all(bears);
@@ -179,9 +180,9 @@ impl Chain<'_> {
         Some(((0..n).map(state).collect(), answer))
     }
 
-    /// Whether elimination under an axial force goes towards the left end: a free one, or under tension that of two nodes with the shorter part
-    /// beside it. At the other node the moment is a difference of slopes over the length of the part beside it, at this one over that of the
-    /// span.
+    /// Whether elimination under an axial force proceeds towards the left end. This end is free, or, between two nodes under tension, the
+    /// part next to it is shorter than the part at the other end. The moment at the other node is a difference of slopes over the length
+    /// of the part next to it, the moment at this node a difference over the length of the span.
     fn ends_at_left(&self, force: f64) -> bool {
         let length = |part: Option<&Part>| part.map_or(0.0, Part::length);
         match self.beyond {
@@ -191,15 +192,15 @@ impl Chain<'_> {
         }
     }
 
-    /// The rows at which hinges are, and `n` there.
+    /// The rows of the hinges, and `n` there.
     fn hinges(&self, at: &[[usize; 2]]) -> Vec<(usize, f64)> {
-        // Where `n` is given at the right end, it has none already.
+        // If `n` is given at the right end, a hinge there is already free of moment.
         let free = if matches!(self.way.held[1], Prescribed::Curvature(_)) { self.parts.len() } else { at.len() };
         let hinges = self.places[..free].iter().zip(at).filter(|(place, _)| place.joint.is_infinite());
         hinges.map(|(place, [_, main])| (*main, place.straight)).collect()
     }
 
-    /// The members; `h` and `n` of a place are those on its right side.
+    /// The members; `h` and `n` of a position are the values on its right side.
     fn rows(&self) -> Rows {
         let (n, mut count) = (self.parts.len(), 0);
         let of = |place: &Place| {
@@ -234,14 +235,14 @@ impl Chain<'_> {
         all
     }
 
-    /// What holds an end.
+    /// Adds the conditions at an end.
     fn end(&self, Rows { rows, right, at }: &mut Rows, side: usize) {
         let (n, sign) = (self.parts.len(), if side == 0 { 1.0 } else { -1.0 });
         let (place, [first, end]) = if side == 0 { (&self.places[0], at[0]) } else { (&self.places[n], at[n]) };
         if let Some([bent, shear]) = self.beyond[side] {
             rows[end].theta = place.spring;
             right[end][0] += place.shear + sign * shear;
-            // On the left `n` is known before what acts at the place, on the right behind it.
+            // On the left, the known `n` is before the actions at the position; on the right, it is behind them.
             let (row, bent) = if side == 0 { (first, bent + place.couple) } else { (end, bent) };
             rows[row].block.w += PENALTY;
             right[row][1] = -PENALTY * bent;
@@ -257,7 +258,7 @@ impl Chain<'_> {
                 right[end][1] = -PENALTY * turned * bent;
             }
         }
-        // A joint at the right end is a part of the span.
+        // A joint at the right end belongs to the span.
         let joint = place.flexibility();
         rows[end].block.w += joint;
         right[end][1] -= joint * place.straight;
@@ -265,7 +266,7 @@ impl Chain<'_> {
 }
 
 impl Rows {
-    /// A place inside.
+    /// Adds an inner position.
     fn join(&mut self, i: usize, place: &Place) {
         let [_, main] = self.at[i];
         self.rows[main].theta = place.spring;
@@ -276,19 +277,19 @@ impl Rows {
     }
 }
 
-/// The hinges of a chain, that is factored without them: by how much each has to turn for all to have no moment. Elimination with hinges
-/// in it would divide zero by zero where a part hangs on one.
+/// The hinges of a chain that is factored without them: their rotations for which all moments in hinges are zero. If the elimination
+/// included hinges, it would divide zero by zero where a part is suspended from one.
 struct Hinges {
-    /// The row of each, and `n` there of a beam without moment.
+    /// The row of each hinge, and `n` there of a beam without moment.
     rows: Vec<(usize, f64)>,
-    /// The inverse of what moment a unit turn of each makes in each.
+    /// The inverse of the moments in all hinges under a unit rotation of each.
     turns: Vec<Vec<f64>>,
     /// The row towards which the chain is factored.
     meeting: usize,
 }
 
 impl Hinges {
-    /// [`None`] for a mechanism.
+    /// Computes the inverse; [`None`] for a mechanism.
     fn of(rows: &mut [Row], hinges: Vec<(usize, f64)>, meeting: usize) -> Option<Self> {
         let mut bent = Vec::with_capacity(hinges.len());
         for &(hinge, _) in &hinges {
@@ -300,9 +301,9 @@ impl Hinges {
         Some(Self { turns: inverse(bent)?, rows: hinges, meeting })
     }
 
-    /// Turns them in a solution of the rows.
+    /// Adds the rotations to a solution of the rows.
     fn turn(&self, rows: &mut [Row], loaded: bool) {
-        /// The second turn is for rounding.
+        /// The second pass removes rounding.
         const TURNS: usize = 2;
         if self.rows.is_empty() {
             return;
@@ -320,9 +321,9 @@ impl Hinges {
     }
 }
 
-/// The inverse of a small matrix, by rows; [`None`] if it is singular but for rounding.
+/// The inverse of a small matrix, by rows; [`None`] if it is singular within rounding.
 fn inverse(mut rows: Vec<Vec<f64>>) -> Option<Vec<Vec<f64>>> {
-    /// Of the largest entry, what a pivot is at least.
+    /// Lower limit of a pivot, as a share of the largest entry.
     const ROUNDING: f64 = 1e-11;
     let n = rows.len();
     let most = rows.iter().flatten().fold(0.0, |most: f64, entry| most.max(entry.abs()));
