@@ -18,8 +18,7 @@
 //! So an answer that solves its grid well is not certified if it may be far from the beam. Where an error is demanded
 //! ([`crate::adaptive`]), the error bound includes what the solver left undone, and the residual may be up to a tenth of that error.
 //! Contact forces from elsewhere have no discrete problem and no summary. For them only the certificate and the error count
-//! ([`Verdict::of_forces`]). A single contact force on a grid, its position and a moment on a grid have no bracket and are not
-//! covered.
+//! ([`Verdict::of_forces`]). Single contact forces, their positions and moments have no bracket on a grid and are not covered.
 //!
 //! ```
 //! use palkki::Witness;
