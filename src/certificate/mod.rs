@@ -91,8 +91,8 @@ pub(crate) use witness::tridiagonal;
 ///
 /// # Errors
 ///
-/// The errors of [`Proof::of`], and [`SceneError::NotKnown`] for forces that alone do not determine how the beam bends: a
-/// [`Witness`](crate::Witness) can judge some of these.
+/// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled, and [`SceneError::NotKnown`] for forces that alone do
+/// not determine how the beam bends: a [`Witness`](crate::Witness) can judge some of these.
 pub fn certify(scene: &Scene, judged: Judged<'_>, witness: &[Contact]) -> Result<Certificate, SceneError> {
     if matches!(judged, Judged::Forces(_)) {
         scene.has_to_bend_under_forces("a bound from a list of contacts")?;

@@ -74,7 +74,8 @@ impl Scene {
     ///
     /// # Errors
     ///
-    /// Those of [`above`](Self::above) and of [`on_springs_in_steps`](Self::on_springs_in_steps).
+    /// Those of [`above`](Self::above), and steps that do not begin at 0, go back or begin at the end of the beam, a negative stiffness,
+    /// and a stiffness of 0 everywhere.
     pub fn above_steps(
         beam: Beam,
         load: Load,

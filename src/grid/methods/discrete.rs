@@ -32,8 +32,8 @@ pub struct Discrete {
     pub tension: f64,
     /// Loads on all nodes, `q_0 … q_{n+1}`, supports included. These are forces, not densities.
     pub loads: Vec<f64>,
-    /// Gaps `g` below the undeflected beam, equal to the depths `u` for a straight one, at
-    /// [all nodes except supported ends](Self::nodes).
+    /// Gaps `g` below the undeflected beam, equal to the depths `u` for a straight one, at all
+    /// nodes except supported ends.
     pub depths: Vec<f64>,
     supports: Supports,
     /// Steps of the bending stiffness and joints.

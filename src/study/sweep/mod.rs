@@ -152,7 +152,7 @@ pub struct Row {
 }
 
 impl<'a> Sweep<'a> {
-    /// A sweep over `steps` values from `range[0]` to `range[1]`, both included, of the number with this path ([`Scene::quantity`]).
+    /// A sweep over `steps` values from `range[0]` to `range[1]`, both included, of the number with this path.
     ///
     /// If there are several paths, separated by commas, the first number has these values and the others change by the same amount:
     /// an axle keeps its distance from the next. A path after a minus sign changes by minus this amount. `[*]` in a path stands for
