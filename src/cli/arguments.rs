@@ -37,8 +37,8 @@ pub(super) struct Arguments {
 
 const EXIT_CODES: &str = "\
 Exit codes:
-  0  an answer that passed our own check
-  1  an answer that did not; it is printed, with the reason
+  0  the answer is certified
+  1  it is not, or there is none; what there is is printed, with the reason
   2  bad input or usage; the message is on standard error, nothing else is printed or written";
 
 const SOLVE_EXAMPLES: &str = "\
@@ -125,7 +125,7 @@ pub(super) enum Command {
     ///
     /// Each row has its status, its time and two errors. The solver error is the difference from the answer of the active-set solver on the same grid.
     /// The model error is the difference from the grid-free solution, if there is one. Both are the largest relative difference of end reactions, energy
-    /// and largest deflection. The exit code is 0 if at least one answer passed our check.
+    /// and largest deflection. The exit code is 0 if at least one answer is certified.
     #[command(after_help = COMPARE_EXAMPLE)]
     Compare(Compare),
     /// Bound the error of contact forces that any program computed.

@@ -103,7 +103,7 @@ impl<'a> Keys<'a> {
 
     /// The elements of an array; empty if the key is missing.
     pub(super) fn elements(&self, key: &str) -> Result<Vec<Value<'a>>, Error> {
-        self.get(key).map_or(Ok(Vec::new()), |value| value.elements("an array"))
+        self.get(key).map_or(Ok(Vec::new()), |value| value.elements("an array of tables [{ at = …, … }]"))
     }
 
     pub(super) fn line_of_text(&self, key: &str) -> Result<Option<String>, Error> {
