@@ -286,3 +286,4 @@ fn a_load_above_a_support_is_carried_by_it() {
 }
 
 mod free;
+mod taut;
