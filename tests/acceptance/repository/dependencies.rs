@@ -68,8 +68,8 @@ fn the_numbers_of_dependencies_are_right() {
     let text = architecture();
     let (all, core) = (crates("normal", &["--all-features"]).len(), crates("normal", &["--no-default-features"]).len());
     for sentence in [
-        format!("With all features the library and the program stand on {all} crates by others."),
-        format!("Without any, `--no-default-features`, it is {core} crates, all of them Rust"),
+        format!("With all features the library and the program need {all} crates by others."),
+        format!("Without any (`--no-default-features`) the library needs {core} crates, all of them Rust"),
     ] {
         assert!(text.contains(&sentence), "ARCHITECTURE.md does not say: {sentence}");
     }
