@@ -34,7 +34,7 @@ impl Given {
                     let beside = [i.checked_sub(1).and_then(|i| stretches.get(i)), stretches.get(i)];
                     for (side, stretch) in beside.into_iter().enumerate() {
                         if let Some(part) = stretch.filter(|part| part.sunk.is_empty()) {
-                            node.slopes[side] = exactly(part.ends[1 - side][1] * (scale.depth / scale.length));
+                            node.slopes[side] = exactly(part.ends[1 - side][1] * scale.slope());
                         }
                     }
                 }

@@ -239,7 +239,7 @@ impl Exact {
         supports.sort_by(|a, b| a.0.total_cmp(&b.0));
         let supports = supports.into_iter().map(|(_, force)| force).collect();
         let (contacts, contact_force) = self.of_pressing(&contacts);
-        let energy = self.energy_by(of, changes) * self.stiffness * self.scale.energy() / unit + 0.0;
+        let energy = self.energy_by(of, changes) * self.units.energy() / unit + 0.0;
         let is_known = contacts.iter().all(|contact| contact.from.is_finite() && contact.to.is_finite());
         let there = Derivative {
             by,
@@ -274,19 +274,19 @@ impl Exact {
 
     /// The derivative of `J / EI`; for the stiffness, the derivative of `J` with respect to the logarithm of `EI`, over `EI`.
     fn energy_by(&self, of: Change, changes: &[NodeChange]) -> f64 {
-        let (given, scale) = (&self.given, &self.scale);
-        let deflection = |at: f64| self.deflection(at * scale.length) / scale.depth;
+        let (given, units) = (&self.given, &self.units);
+        let deflection = |at: f64| self.deflection(at * units.length) / units.depth;
         match of {
             // The energy of a part of the foundation is not requested here, and a rigid foundation has no stiffness.
             Change::GroundUnder(..) | Change::Stiffen => 0.0,
             Change::Ground => {
-                let contact = self.state.contact_force() / (self.stiffness * scale.force);
+                let contact = self.state.contact_force() / units.force;
                 -contact
             }
             Change::Unload => self.integral(|[_, _, v2, _]| 0.5 * v2 * v2),
             Change::Uniform(q) => -q * self.integral(|[v, ..]| v),
             Change::Force(at, p) => -p * deflection(at),
-            Change::Move(at, p) => -p * self.slope(at * scale.length) * scale.length / scale.depth,
+            Change::Move(at, p) => -p * self.slope(at * units.length) / units.slope(),
             Change::Level(index) | Change::Support(index, _) => {
                 let is_here = |node: &Node| node.any_support(given) == Some(index);
                 let Some(i) = self.list.nodes.iter().position(is_here) else { return 0.0 };
@@ -329,13 +329,13 @@ struct Scaled<'a> {
 
 impl Scaled<'_> {
     fn place(&self, change: f64) -> f64 {
-        change * self.exact.scale.length / self.unit
+        change * self.exact.units.length / self.unit
     }
 
     /// Forces are computed here over `EI`, so a force also changes in proportion to `EI` itself.
     fn force(&self, now: impl FnOnce() -> f64, change: f64) -> f64 {
         let own = if self.of == Change::Unload { now() } else { 0.0 };
-        (own + change) * self.exact.stiffness * self.exact.scale.force / self.unit + 0.0
+        (own + change) * self.exact.units.force / self.unit + 0.0
     }
 
     /// The derivatives of the zone before node `i`.

@@ -222,7 +222,7 @@ impl Exact {
 
     /// Position of breakpoint `i` \[length\].
     pub(super) fn place(&self, i: usize) -> f64 {
-        self.given.breakpoints[i].x * self.scale.length
+        self.given.breakpoints[i].x * self.units.length
     }
 
     /// For each elastic support its force and the jump of the moment that it causes \[force, force · length\].

@@ -40,7 +40,7 @@ impl Exact {
         let linear = self.sensitivity()?;
         stretches.into_iter().try_fold(none, |mut sum, (from, to)| {
             let of = Change::GroundUnder(from, to);
-            let asked = Asked { by: By::Depth, change: [of; 2], unit: self.scale.depth, least: 0.0 };
+            let asked = Asked { by: By::Depth, change: [of; 2], unit: self.units.depth, least: 0.0 };
             let derivative = self.derivative(&linear, asked, &linear.on_both_sides(asked.change), [true; 2]);
             let add = |sum: &mut f64, by: f64| *sum += by.abs() * tolerance;
             sum.supports.iter_mut().zip(&derivative.supports).for_each(|(sum, &by)| add(sum, by));

@@ -10,12 +10,12 @@ use super::piecewise::PiecewiseScene;
 use super::search::Candidate;
 use crate::state::{Contact, ContactState, Extremes, Reactions, Regime, SupportForce, larger_moment};
 
-/// The state of a beam with this least bending stiffness.
-pub(super) fn state(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -> ContactState {
+/// The state of a beam, with forces, moments and energy over the least `EI`.
+pub(super) fn state(given: &PiecewiseScene, found: &Candidate) -> ContactState {
     let pieces = &found.checked.pieces;
-    let (supports, contacts) = (supports(given, found, stiffness), contacts(given, found, stiffness));
+    let (supports, contacts) = (supports(given, found), contacts(given, found));
     let (deflection, Extremes { max, max_at, min, min_at }) = extremes(given, pieces);
-    let moment = |bent: f64| -bent * stiffness + 0.0;
+    let moment = |bent: f64| -bent + 0.0;
     ContactState {
         regime: Regime::of(&contacts),
         reactions: Reactions::of(&supports, given.length),
@@ -25,14 +25,14 @@ pub(super) fn state(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -
         touches: Vec::new(),
         deflection,
         moment: Extremes { max: moment(min), max_at: min_at, min: moment(max), min_at: max_at },
-        energy: (energy(given, pieces) + in_springs(given, found)) * stiffness,
+        energy: energy(given, pieces) + in_springs(given, found),
         pressure: None,
         nodes: None,
     }
 }
 
 /// The reactions from left to right, including compression-only supports.
-fn supports(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -> Vec<SupportForce> {
+fn supports(given: &PiecewiseScene, found: &Candidate) -> Vec<SupportForce> {
     let nodes = found.list.nodes.iter().zip(&found.checked.forces).zip(&found.checked.moments);
     let supports = nodes.filter_map(|((node, force), moments)| {
         let support = &given.supports[node.support(given)?];
@@ -42,23 +42,23 @@ fn supports(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -> Vec<Su
         let moment = larger_moment(*moments);
         Some(SupportForce {
             at: node.x,
-            force: (force + at.acts.force()) * stiffness,
-            moment: holds.then_some(moment * stiffness),
-            couple: if holds { (right - left + at.acts.couple()) * stiffness } else { 0.0 },
+            force: force + at.acts.force(),
+            moment: holds.then_some(moment),
+            couple: if holds { right - left + at.acts.couple() } else { 0.0 },
             pushes_only: false,
         })
     });
     let springs = given.springs.iter().zip(&found.checked.springs).map(|(spring, state)| SupportForce {
         at: given.breakpoints[spring.breakpoint].x,
-        force: state.force * stiffness + 0.0,
-        moment: spring.turning.map(|_| larger_moment(state.moments) * stiffness),
-        couple: state.couple * stiffness,
+        force: state.force + 0.0,
+        moment: spring.turning.map(|_| larger_moment(state.moments)),
+        couple: state.couple,
         pushes_only: spring.pushes_only,
     });
     let rests = |i: usize| found.list.nodes.iter().position(|node| node.is_edge(given) && node.breakpoint == Some(i));
     let bearings = given.bearings.iter().map(|&i| {
         let force = rests(i).map_or(0.0, |node| found.checked.forces[node]);
-        SupportForce::pushing(given.breakpoints[i].x, force * stiffness)
+        SupportForce::pushing(given.breakpoints[i].x, force)
     });
     let mut all: Vec<SupportForce> = supports.chain(bearings).chain(springs).collect();
     all.sort_by(|a, b| a.at.total_cmp(&b.at));
@@ -66,7 +66,7 @@ fn supports(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -> Vec<Su
 }
 
 /// The contacts from left to right.
-fn contacts(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -> Vec<Contact> {
+fn contacts(given: &PiecewiseScene, found: &Candidate) -> Vec<Contact> {
     let List { nodes, .. } = &found.list;
     let forces = &found.checked.forces;
     let mut contacts = Vec::new();
@@ -76,15 +76,15 @@ fn contacts(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -> Vec<Co
             // If foundation and support carry a force together, all of it is assigned to the support.
             let end = |i: usize| (place(i), if nodes[i].support(given).is_some() { 0.0 } else { forces[i] });
             let ((from, force_from), (to, force_to)) = (end(i - 1), end(i));
-            let force = (force_from + force_to + zone_force(given, from, to)) * stiffness;
+            let force = force_from + force_to + zone_force(given, from, to);
             // At the border of two regimes a zone has no length and is a point.
-            let end_forces = (from < to).then_some([force_from * stiffness, force_to * stiffness]);
+            let end_forces = (from < to).then_some([force_from, force_to]);
             contacts.push(Contact { from, to, force, end_forces });
         }
         if let Some(node) = nodes.get(i)
             && node.is_ground(given)
         {
-            contacts.push(Contact::at(place(i), forces[i] * stiffness));
+            contacts.push(Contact::at(place(i), forces[i]));
         }
     }
     contacts

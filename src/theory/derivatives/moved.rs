@@ -15,14 +15,8 @@
 use super::{By, ContactDerivative, Derivative, Missing};
 use crate::scene::{Quantity, Scene};
 use crate::theory::asked::{Asked, NOTHING, is_next_to};
-use crate::theory::check::check;
 use crate::theory::exact::Exact;
-use crate::theory::giving::wrong;
-use crate::theory::newton;
-use crate::theory::piecewise::PiecewiseScene;
-use crate::theory::search::Candidate;
 use crate::theory::sensitivity::Change;
-use crate::theory::solve::solve_near;
 
 /// Steps, in multiples of a negligible change ([`NOTHING`]): shares of 1e-2 to 1e-5 of the size of a number.
 const STEPS: [f64; 4] = [1e5, 1e4, 1e3, 1e2];
@@ -67,25 +61,8 @@ impl Exact {
     fn goes_on_beside(&self, scene: &Scene, asked: Asked) -> [bool; 2] {
         [-asked.least, asked.least].map(|step| {
             let there = asked.moved(scene, step).and_then(|there| self.kept_in(&there));
-            there.is_some_and(|(there, holds)| holds && is_next_to(self, &there, scene.beam().length()))
+            there.is_some_and(|there| there.solved && is_next_to(self, &there, scene.beam().length()))
         })
-    }
-
-    /// This answer with its contacts and its pressed stops in another scene, and whether their conditions are satisfied there.
-    fn kept_in(&self, scene: &Scene) -> Option<(Self, bool)> {
-        if self.springs.is_some() {
-            let there = solve_near(scene, &[self]).ok().filter(|there| there.solved)?;
-            return Some((there, true));
-        }
-        let scaled = scene.scaled().ok()?;
-        let acts = self.acting();
-        let given = PiecewiseScene::with(&scaled.scene, |i| acts.get(i).copied().unwrap_or(true));
-        let mut list = self.list_in(&given, &scaled.scale)?;
-        newton::solve(&given, &mut list).converged.then_some(())?;
-        let checked = check(&given, &list);
-        let holds = checked.faults.is_empty() && wrong(&given, &checked).is_empty();
-        let found = Candidate { list, checked, steps: 0, lists: 1, samples: 0, converged: true };
-        Some((Self::new(given, found, scaled.scale, scaled.scene.beam().bending_stiffness()), holds))
     }
 
     /// The results to be differentiated: reactions, contacts of the list, energy.
@@ -101,8 +78,8 @@ impl Exact {
     /// The scale of each result: the largest of its kind.
     fn sizes(&self) -> Vec<f64> {
         let forces = self.state.supports.iter().map(|support| support.force.abs());
-        let force = forces.fold(self.given.total_load * self.stiffness * self.scale.force, f64::max);
-        let length = self.given.length * self.scale.length;
+        let force = forces.fold(self.given.total_load * self.units.force, f64::max);
+        let length = self.given.length * self.units.length;
         let supports = self.state.supports.iter().map(|_| force);
         let contacts = self.listed.iter().flat_map(|_| [length, length, force, force, force]);
         supports.chain(contacts).chain([self.state.energy.abs()]).collect()
@@ -112,8 +89,7 @@ impl Exact {
     fn differences(&self, scene: &Scene, asked: Asked, sizes: &[f64]) -> Sides {
         let at = |step: f64| {
             let there = asked.moved(scene, step)?;
-            let (there, _) = self.kept_in(&there)?;
-            let numbers = there.numbers();
+            let numbers = self.kept_in(&there)?.numbers();
             let kinds = |of: &[f64]| of.iter().map(|number| number.is_nan()).collect::<Vec<_>>();
             (kinds(&numbers) == kinds(&self.numbers())).then_some(numbers)
         };
@@ -161,7 +137,7 @@ impl Exact {
             let change = [Change::Uniform(0.0); 2];
             Asked { by: By::Number(quantity), change, unit: 1.0, least: NOTHING * size }
         };
-        let force = self.given.total_load * self.stiffness * self.scale.force;
+        let force = self.given.total_load * self.units.force;
         let mut all = Vec::new();
         let steps = beam.steps().iter().enumerate();
         all.extend(steps.map(|(i, step)| asked(Quantity::StepStiffness(i), step[1])));

@@ -64,7 +64,7 @@ impl Exact {
 
     /// The derivative with respect to one number; [`None`] if a number leaves the range of `f64`.
     fn on_springs_by(&self, springs: &Springs, asked: Asked, one_sided: bool) -> Option<Derivative> {
-        let Self { given, scale, .. } = self;
+        let Self { given, units, .. } = self;
         let Asked { by, change: [of, _], unit, .. } = asked;
         let k = springs.stiffness;
         // When a stiffness changes, the penetration acts as a load.
@@ -75,9 +75,9 @@ impl Exact {
         };
         let changed = self.changed(of);
         let parts = solve(&changed, k, &springs.stretches, sunk)?.parts()?;
-        let of_force = |value: f64| value * self.stiffness * scale.force / unit + 0.0;
+        let of_force = |value: f64| value * units.force / unit + 0.0;
         let supports = self.state.supports.iter().map(|support| {
-            let at = given.breakpoints.partition_point(|b| b.x < support.at / scale.length);
+            let at = given.breakpoints.partition_point(|b| b.x < support.at / units.length);
             if given.support_at(at).is_none() {
                 return 0.0;
             }
@@ -93,11 +93,11 @@ impl Exact {
         let contact = |stretch: &[f64; 2]| {
             let own = if of == Change::Stiffen { sunk(&springs.parts, *stretch) } else { 0.0 };
             let [from, to] = [false, true]
-                .map(|end| self.moved_end(springs, &parts, stretch[usize::from(end)], end) * scale.length / unit + 0.0);
+                .map(|end| self.moved_end(springs, &parts, stretch[usize::from(end)], end) * units.length / unit + 0.0);
             ContactDerivative { from, to, force: of_force(own + sunk(&parts, *stretch)), end_forces: None }
         };
         let contacts: Vec<ContactDerivative> = springs.stretches.iter().map(contact).collect();
-        let energy = self.energy_on_springs_by(springs, of) * self.stiffness * scale.energy() / unit + 0.0;
+        let energy = self.energy_on_springs_by(springs, of) * units.energy() / unit + 0.0;
         let determined = contacts.iter().all(|contact| contact.from.is_finite() && contact.to.is_finite());
         Some(Derivative {
             by,
