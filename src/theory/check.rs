@@ -5,7 +5,7 @@ use super::giving::{self, SpringState};
 use super::list::{List, Node, Unknown, Zone};
 use super::newton;
 use super::penetration::deepest;
-use super::piece::{Piece, all_pieces, derivatives};
+use super::piece::{Piece, all_pieces};
 use super::piecewise::PiecewiseScene;
 use super::pull::mean_pull;
 use super::sensitivity::ends;
@@ -210,9 +210,8 @@ impl Judge {
     /// rounding.
     fn known(&mut self, given: &PiecewiseScene, index: usize, span: &Span) {
         let numbers = || span.beam_a.iter().chain(&span.beam_b);
-        let is_hinged = || given.divisions.iter().any(|&i| given.breakpoints[i].joint.is_infinite());
         let known = numbers().all(|value| value.is_finite());
-        if !known || numbers().any(|value| MOST < value.abs()) && is_hinged() {
+        if !known || numbers().any(|value| MOST < value.abs()) && given.has_hinge() {
             self.refuse(index, Violation::Overflow);
         }
     }
@@ -339,9 +338,9 @@ impl Scale {
             // Over many cells the maximum may be anywhere.
             let parts = if piece.count() == 1 { 2 } else { PARTS };
             for part in (0..parts).map(f64::from) {
-                let [v, _, v2, _] = derivatives(&taylor, piece.width() * (part / f64::from(parts)));
+                let [v, _, bent, _] = piece.beam(given, &taylor, piece.width() * (part / f64::from(parts)));
                 depth = depth.max(v.abs());
-                moment = moment.max((v2 * piece.stiffness(given)).abs());
+                moment = moment.max(bent.abs());
             }
         }
         let force = forces.iter().fold(0.0_f64, |most, f| most.max(f.abs()));

@@ -191,7 +191,7 @@ impl Exact {
 
     /// Whether the beam is uniform, has no axial force and no elastic supports. Derivatives of other beams are computed in another way.
     fn is_linear(&self) -> bool {
-        self.given.divisions.is_empty() && self.given.tension == 0.0 && self.given.is_firm()
+        self.given.is_undivided() && self.given.tension == 0.0 && self.given.is_firm()
     }
 
     pub(super) fn sensitivity(&self) -> Option<Sensitivity<'_>> {

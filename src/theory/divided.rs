@@ -151,7 +151,7 @@ fn sprung(given: &PiecewiseScene, nodes: [Option<End>; 2], joint_at_end: f64) ->
     let overhangs = [true, false].map(|left| Overhang::of(given, ends[usize::from(!left)].x, left));
     let hangs = [0, 1].map(|side| nodes[side].is_none());
     // Beyond a hinge no moment can be carried.
-    let is_hinged = |side: usize| hangs[side] && given.breakpoints[outermost[side]].joint.is_infinite();
+    let is_hinged = |side: usize| hangs[side] && given.breakpoints[outermost[side]].is_hinge();
     if is_hinged(0) || is_hinged(1) {
         return None;
     }

@@ -265,9 +265,7 @@ impl Exact {
         let (piece, place) = self.piece(x, right);
         let mut taylor = vec![0.0; self.given.terms];
         piece.deflection(&self.given, &mut taylor);
-        let [v, v1, v2, v3] = derivatives(&taylor, place - piece.anchor);
-        let e = piece.stiffness(&self.given);
-        [v, v1, v2 * e, v3 * e]
+        piece.beam(&self.given, &taylor, place - piece.anchor)
     }
 }
 

@@ -99,7 +99,7 @@ fn state(
 
 /// The vertical forces `V + N v'` next to a breakpoint, zero beyond the ends of the beam; without `N v'` where the slope is continuous.
 fn vertical(given: &PiecewiseScene, at: &Breakpoint, sides: [Option<[f64; 4]>; 2]) -> [f64; 2] {
-    let turns = given.tension != 0.0 && (at.x <= 0.0 || given.length <= at.x || at.joint != 0.0);
+    let turns = given.tension != 0.0 && (at.x <= 0.0 || given.length <= at.x || at.is_jointed());
     sides.map(|side| side.map_or(0.0, |beam| if turns { given.tension * beam[1] - beam[3] } else { -beam[3] }))
 }
 

@@ -288,7 +288,7 @@ impl Samples {
             // A single touching joint is an edge; within a contact on a level foundation it has no effect.
             let beside = |j: Option<usize>| j.and_then(|j| guess.touches.get(j)).is_some_and(|touches| *touches);
             let alone = !(beside(i.checked_sub(1)) && beside(Some(i + 1)));
-            let breaks = |b: usize| breaks(b) || given.breakpoints[b].joint != 0.0 && alone;
+            let breaks = |b: usize| breaks(b) || given.breakpoints[b].is_jointed() && alone;
             let at_break = breakpoint.filter(|&breakpoint| breaks(breakpoint));
             if touches && at_break.is_none() {
                 first.get_or_insert(i);

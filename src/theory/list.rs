@@ -320,7 +320,7 @@ impl Node {
         if self.slope == (Slope::OfGround { from_the_left: !on_the_right }) {
             return EndCondition::Resting;
         }
-        if self.is_tip(given) && given.breakpoints[breakpoint].joint.is_infinite() {
+        if self.is_tip(given) && given.breakpoints[breakpoint].is_hinge() {
             // Next to a zone the span rotates freely in the hinge.
             return EndCondition::Hinge { height: 0.0, level: given.breakpoints[breakpoint].depth, curvature: 0.0 };
         }

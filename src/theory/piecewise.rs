@@ -13,6 +13,7 @@
 
 mod along;
 mod giving;
+mod joint;
 
 pub(super) use giving::AtSpring;
 
@@ -381,7 +382,8 @@ impl PiecewiseScene {
     /// foundation, a free end of the beam and a joint, which is a kink of the beam, count as well.
     pub(super) fn is_edge(&self, i: usize) -> bool {
         let corner = || self.breakpoints[i].step != 0.0 || 0.0 < self.breakpoints[i].kink;
-        let joint = self.breakpoints[i].joint != 0.0;
-        self.is_bearing(i) || self.founded && (self.is_free_end(i) || joint || self.breaks_at(i) && corner())
+        self.is_bearing(i)
+            || self.founded
+                && (self.is_free_end(i) || self.breakpoints[i].is_jointed() || self.breaks_at(i) && corner())
     }
 }

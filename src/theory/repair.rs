@@ -127,7 +127,7 @@ impl Repair<'_> {
     /// joint touches.
     fn broken(&mut self, i: usize, at: f64) {
         let given = self.given;
-        let Some(joint) = given.breakpoint_at(at).filter(|&joint| given.breakpoints[joint].joint != 0.0) else {
+        let Some(joint) = given.breakpoint_at(at).filter(|&joint| given.breakpoints[joint].is_jointed()) else {
             return;
         };
         let (Some(gap), Some([start, end])) = (gap_at(given, joint), self.list.nodes.get(i - 1..=i)) else { return };
@@ -208,9 +208,7 @@ impl Repair<'_> {
             // A zone may begin or end with a hinge on a straight foundation: the beam rotates there without a moment.
             let zone = beside.into_iter().flatten().find(|&node| nodes[node].is_of_zone());
             let edge = beside.into_iter().flatten().find(|&node| nodes[node].is_edge(self.given));
-            let hinge = edge.and_then(|edge| nodes[edge].breakpoint).filter(|&i| {
-                self.given.breakpoints[i].joint.is_infinite() && self.given.is_straight(i) && !self.given.breaks_at(i)
-            });
+            let hinge = edge.and_then(|edge| nodes[edge].breakpoint).filter(|&i| self.given.is_hinge_on_a_line(i));
             if let (Some(zone), Some(hinge)) = (zone, hinge) {
                 self.keep[zone] = false;
                 self.added.push(Node::hinge_of_zone(self.given, hinge, nodes[zone].starts_zone()));
@@ -246,7 +244,7 @@ impl Repair<'_> {
         }
         // If the beam leaves a neighbouring edge on the wrong side, it touches the slope there instead.
         let neighbours = [(i.checked_sub(1), span.a.x, span.at_a[1]), (Some(i), span.b.x, -span.at_b[1])];
-        let joins = |node: &Node| node.breakpoint.is_some_and(|at| self.given.breakpoints[at].joint != 0.0);
+        let joins = |node: &Node| node.breakpoint.is_some_and(|at| self.given.breakpoints[at].is_jointed());
         let is_edge = |node: &Node| node.is_edge(self.given) && node.is_ground(self.given) && !joins(node);
         for (node, x, turn) in neighbours {
             if let Some(node) = node.filter(|&node| self.list.nodes.get(node).is_some_and(is_edge))

@@ -5,7 +5,7 @@ use super::check::PLACE;
 use super::forces::zone_force;
 use super::list::List;
 use super::penetration::{by_blocks, clearance_range};
-use super::piece::{NEAR, Piece, derivatives};
+use super::piece::{NEAR, Piece, derivatives, differentiated};
 use super::piecewise::PiecewiseScene;
 use super::search::Candidate;
 use crate::state::{Contact, ContactState, Extremes, Reactions, Regime, SupportForce, larger_moment};
@@ -106,7 +106,7 @@ fn energy(given: &PiecewiseScene, pieces: &[Piece]) -> f64 {
         // In distances from the anchor: in a short piece far from zero a position has fewer digits than its distance from the anchor.
         sum += given.energy_rule.integral(0.0, piece.width(), |s| {
             let [v, v1, v2, _] = derivatives(&taylor, s);
-            let bent = 0.5 * v2 * v2 * piece.stiffness(given) - given.load(piece.cell, piece.place(s)) * v;
+            let bent = piece.bending_energy(given, v2) - given.load(piece.cell, piece.place(s)) * v;
             if given.tension == 0.0 { bent } else { bent + 0.5 * given.tension * v1 * v1 }
         });
     }
@@ -118,14 +118,11 @@ fn energy(given: &PiecewiseScene, pieces: &[Piece]) -> f64 {
         sum -= breakpoint.acts.work([v, v1]);
     }
     // The energy of a joint is half of its rotation times its moment.
-    for joint in
-        given.divisions.iter().map(|&i| &given.breakpoints[i]).filter(|at| 0.0 < at.joint && at.joint.is_finite())
-    {
-        let i = pieces.partition_point(|p| p.hi < joint.x).min(pieces.len() - 1);
+    for (x, flexibility) in given.elastic_joints() {
+        let i = pieces.partition_point(|p| p.hi < x).min(pieces.len() - 1);
         pieces[i].deflection(given, &mut taylor);
-        let [_, _, v2, _] = derivatives(&taylor, joint.x - pieces[i].anchor);
-        let bent = v2 * pieces[i].stiffness(given);
-        sum += 0.5 * joint.joint * bent * bent;
+        let [_, _, bent, _] = pieces[i].beam(given, &taylor, x - pieces[i].anchor);
+        sum += 0.5 * flexibility * bent * bent;
     }
     sum
 }
@@ -155,10 +152,9 @@ fn extremes(given: &PiecewiseScene, pieces: &[Piece]) -> (Extremes, Extremes) {
     for piece in pieces {
         piece.deflection(given, &mut taylor);
         for x in [piece.lo, piece.hi] {
-            let [v, _, v2, _] = derivatives(&taylor, x - piece.anchor);
-            let v2 = v2 * piece.stiffness(given);
+            let [v, _, bent, _] = piece.beam(given, &taylor, x - piece.anchor);
             ends = [ends[0].min(v), ends[1].max(v)];
-            bends = [bends[0].min(v2), bends[1].max(v2)];
+            bends = [bends[0].min(bent), bends[1].max(bent)];
         }
     }
     let (mut first, mut second) = (Vec::with_capacity(3 * pieces.len()), Vec::with_capacity(3 * pieces.len()));
@@ -166,9 +162,7 @@ fn extremes(given: &PiecewiseScene, pieces: &[Piece]) -> (Extremes, Extremes) {
         piece.deflection(given, &mut taylor);
         piece.outwards(&mut taylor);
         add_extremes(piece, &taylor, ends, &mut first);
-        let bent = differentiated(differentiated(&mut taylor));
-        bent.iter_mut().for_each(|c| *c *= piece.stiffness(given));
-        add_extremes(piece, bent, bends, &mut second);
+        add_extremes(piece, piece.bent(given, &mut taylor), bends, &mut second);
     }
     (Extremes::of(first.iter().copied()), Extremes::of(second.iter().copied()))
 }
@@ -212,9 +206,9 @@ pub(super) fn bend_extremes(given: &PiecewiseScene, pieces: &[Piece]) -> Extreme
     for piece in pieces {
         piece.deflection(given, &mut taylor);
         piece.outwards(&mut taylor);
-        let bend = differentiated(differentiated(&mut taylor));
-        bend.iter_mut().for_each(|c| *c = 0.0 - *c * piece.stiffness(given));
-        add_extremes(piece, bend, [f64::INFINITY, f64::NEG_INFINITY], &mut values);
+        let moment = piece.bent(given, &mut taylor);
+        moment.iter_mut().for_each(|c| *c = 0.0 - *c);
+        add_extremes(piece, moment, [f64::INFINITY, f64::NEG_INFINITY], &mut values);
     }
     Extremes::of(values.iter().copied())
 }
@@ -233,11 +227,4 @@ pub(super) fn add_extremes(piece: &Piece, c: &[f64], [least, most]: [f64; 2], va
     if piece.lo < piece.anchor {
         values[start..].reverse();
     }
-}
-
-/// Coefficients of the derivative, in place.
-pub(super) fn differentiated(c: &mut [f64]) -> &mut [f64] {
-    #[expect(clippy::cast_precision_loss, reason = "a degree is a small number")]
-    c.iter_mut().enumerate().for_each(|(j, c)| *c *= j as f64);
-    c.get_mut(1..).unwrap_or_default()
 }

@@ -11,9 +11,9 @@ use crate::theory::exact::Exact;
 use crate::theory::gauss::Gauss;
 use crate::theory::giving::exerted;
 use crate::theory::list::List;
-use crate::theory::piece::{Piece, derivatives};
+use crate::theory::piece::{Piece, derivatives, differentiated};
 use crate::theory::piecewise::{AtSpring, AtSupport, Breakpoint, PiecewiseScene};
-use crate::theory::summary::{add_extremes, differentiated};
+use crate::theory::summary::add_extremes;
 use crate::theory::violation::Violation;
 
 /// Tolerance of a penetration with the wrong sign, as a share of the largest one but at least of [`rounding`]: the rounding of the end
@@ -328,11 +328,9 @@ fn energy(given: &PiecewiseScene, parts: &[Part], springs: f64) -> f64 {
             0.5 * (bent * bent / part.stiffness + springs * part.ground * w * w + pulled) - given.load(cell, x) * v
         });
     }
-    let joints =
-        given.divisions.iter().map(|&i| &given.breakpoints[i]).filter(|at| 0.0 < at.joint && at.joint.is_finite());
-    let turned = joints.map(|at| {
-        let bent = part_at(parts, at.x, false).beam(at.x)[2];
-        0.5 * at.joint * bent * bent
+    let turned = given.elastic_joints().map(|(x, flexibility)| {
+        let bent = part_at(parts, x, false).beam(x)[2];
+        0.5 * flexibility * bent * bent
     });
     let sum = turned.fold(sum, |sum, turned| sum + turned);
     given.forces().fold(sum, |sum, &Breakpoint { x, acts, .. }| {

@@ -36,7 +36,7 @@ impl Beam<'_> {
     /// A part of the beam under pressure of the foundation.
     pub(super) fn pressed_under_tension(&self, link: &Link) -> Link {
         let (l, (k, _)) = (link.hi - link.lo, self.rates(link.cells[0]));
-        let e = self.given.cells[link.cells[0]].stiffness;
+        let e = self.stiffness(link);
         let pull = self.given.tension / e;
         let [g, g1, g2, g3] = derivatives(&series(k, pull, [0.0, 0.0, 0.0, 1.0 / 6.0]), l);
         let mut less = series(k, pull, [1.0, 0.0, 0.0, 0.0]);
