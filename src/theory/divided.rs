@@ -262,11 +262,9 @@ pub(super) fn overhang(given: &PiecewiseScene, held: End, slope: f64, at_left: b
     if !spans.is_empty() {
         if at_left { last.b.hold = EndCondition::Within } else { last.a.hold = EndCondition::Within }
     }
-    for span in &mut spans {
-        for end in [&mut span.a, &mut span.b] {
-            if matches!(end.hold, EndCondition::Hinge { .. }) && end.x.total_cmp(&held.x).is_ne() {
-                end.hold = EndCondition::Within;
-            }
+    for end in spans.iter_mut().flat_map(|span| [&mut span.a, &mut span.b]) {
+        if matches!(end.hold, EndCondition::Hinge { .. }) && end.x.total_cmp(&held.x).is_ne() {
+            end.hold = EndCondition::Within;
         }
     }
     spans.push(last);
