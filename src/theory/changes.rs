@@ -7,7 +7,7 @@ use crate::state::Contact;
 
 impl Exact {
     /// `v''` to the left and to the right of a node; in a zone the second derivative of the gap, and zero beyond the ends of the beam.
-    pub(super) fn bends(&self, i: usize) -> [f64; 2] {
+    pub(super) fn curvatures_beside(&self, i: usize) -> [f64; 2] {
         let (given, x) = (&self.given, self.list.nodes[i].x);
         let [left, right] = super::sensitivity::ends(&self.spans, i);
         let zone = |before: usize, cell: usize| {

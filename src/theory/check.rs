@@ -127,7 +127,7 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Check {
     for (i, (node, [left, right])) in list.nodes.iter().zip(&moments).enumerate() {
         let (at, jump) = (node.x, right - left + node.couple(given));
         if let Some(index) = node.support(given) {
-            let rests = list.rests(i);
+            let rests = list.follows_foundation(i);
             if let Some(moment) = pulling_couple(given, index, rests, jump) {
                 judge.measure(moment, scale.moment, i, Violation::Couple { at, moment });
             }
@@ -144,7 +144,7 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Check {
             judge.measure(jump.abs(), scale.moment, i, Violation::Jump { jump });
         }
     }
-    let springs = giving::states(given, list, &spans);
+    let springs = giving::spring_states(given, list, &spans);
     let force = springs.iter().fold(unbalanced(given, list, &forces), |rest, spring| rest - spring.force);
     // A load directly on a support counts only here, however large it is.
     let carried = scale.force.max(AT_REST * given.resultant.abs());
@@ -250,7 +250,7 @@ impl Judge {
                 self.measure(turn * given.length, size, i, Violation::Penetration { at: end.x, depth });
             }
             // If the foundation restrains the slope, the slope of the beam is the slope of the foundation.
-            let along = support.slope.is_some() || list.rests(node)[side];
+            let along = support.slope.is_some() || list.follows_foundation(node)[side];
             if !along && TOLERANCE * size < turn.abs() * given.length {
                 continue;
             }

@@ -7,7 +7,7 @@
 use super::check::{Check, check};
 use super::list::{List, Node};
 use super::newton;
-use super::normal::merged;
+use super::normal::normal_form;
 use super::penetration::deepest;
 use super::piece::NEAR;
 use super::piecewise::PiecewiseScene;
@@ -33,7 +33,7 @@ const MANY: usize = 150;
 const ROUNDED: f64 = 4.0 * f64::EPSILON;
 
 /// The last solved list of those that follow from a close check, or the given list; its work includes all lists.
-pub(super) fn closer(given: &PiecewiseScene, mut found: Candidate) -> Candidate {
+pub(super) fn checked_closely(given: &PiecewiseScene, mut found: Candidate) -> Candidate {
     let mut faults = closely(given, &found.list, &found.checked);
     let mut last = None;
     for _ in 0..ROUNDS {
@@ -47,7 +47,7 @@ pub(super) fn closer(given: &PiecewiseScene, mut found: Candidate) -> Candidate 
             break;
         }
         let run = newton::solve(given, &mut list);
-        let normal = merged(given, &list.nodes);
+        let normal = normal_form(given, &list.nodes);
         let converged = run.converged && normal == list;
         let checked = check(given, &normal);
         faults = closely(given, &normal, &checked);
@@ -79,7 +79,7 @@ fn tangent(given: &PiecewiseScene, list: &List, checked: &Check, faults: &[(usiz
             nodes.splice(left..=*i, [Node::touch(*at, span.a.cell)]);
         }
     }
-    (nodes.len() < list.nodes.len()).then(|| merged(given, &nodes))
+    (nodes.len() < list.nodes.len()).then(|| normal_form(given, &nodes))
 }
 
 /// The faults of a close check: penetration of a straight foundation as a share of the bow up to the next contact, and slopes next to

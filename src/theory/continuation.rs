@@ -3,7 +3,7 @@
 
 use super::check::{Check, check};
 use super::exact::Exact;
-use super::giving::wrong;
+use super::giving::faults_of_springs;
 use super::list::{List, Node};
 use super::margin::{Condition, all, stopped, violated_conditions};
 use super::newton;
@@ -62,7 +62,7 @@ impl Exact {
         }
         let checked = check(&given, &list);
         // An elastic stop in tension, or an inactive one that the beam penetrates, is not a condition that can be followed.
-        wrong(&given, &checked).is_empty().then_some(())?;
+        faults_of_springs(&given, &checked).is_empty().then_some(())?;
         Some(violated_conditions(&given, &list, &checked, &self.pattern().pulls))
     }
 
@@ -79,7 +79,7 @@ impl Exact {
 
     /// The answer in a neighbouring scene, if this one continues there: with its contacts moved but of the same kinds. If the contacts
     /// cannot be carried over, the answer is solved anew from this one.
-    pub(super) fn goes_on_in(&self, scene: &Scene) -> Option<Self> {
+    pub(super) fn continued_in(&self, scene: &Scene) -> Option<Self> {
         let there = match self.carried_to(scene) {
             Some(carried) if carried.converged => Some(carried.checked()),
             Some(_) => None,
@@ -207,7 +207,7 @@ impl Carried {
     /// The same answer, from the check of its contacts.
     fn answer(self, checked: Check) -> Exact {
         let Self { given, list, units, converged } = self;
-        let wrong = wrong(&given, &checked);
+        let wrong = faults_of_springs(&given, &checked);
         let found = Candidate { list, checked, steps: 0, lists: 1, samples: 0, converged }.with(wrong);
         Exact::new(given, found, units)
     }
@@ -220,7 +220,8 @@ fn carried(list: &List, i: usize, from: &PiecewiseScene, to: &PiecewiseScene, [u
     let at = match (node.support(from), breakpoint) {
         (Some(index), _) => {
             let support = to.supports.get(index)?;
-            let tangent = list.rests(i).into_iter().zip(support.tangent).all(|(rests, tangent)| tangent || !rests);
+            let tangent =
+                list.follows_foundation(i).into_iter().zip(support.tangent).all(|(rests, tangent)| tangent || !rests);
             tangent.then_some(support.breakpoint)?
         }
         (None, bearing) if from.is_bearing(bearing) => to.bearings[from.bearings.binary_search(&bearing).ok()?],

@@ -65,11 +65,11 @@ pub(super) fn between(
     let tips = [0, 1].map(|side| is_free[side].then(|| tip(given, &way, side)));
     let (mut spans, _) = chained(given, [a, b], divisions, &way, ([0, 1].map(place), tips))?;
     if let Some(first) = spans.first_mut() {
-        way.know(0, &mut first.at_a, &mut first.beam_a);
+        way.set_known(0, &mut first.at_a, &mut first.beam_a);
     }
     // A joint at the right end makes the slope before it unknown.
     if let Some(last) = spans.last_mut().filter(|_| joint_at_end == 0.0) {
-        way.know(1, &mut last.at_b, &mut last.beam_b);
+        way.set_known(1, &mut last.at_b, &mut last.beam_b);
     }
     Some(spans)
 }

@@ -111,7 +111,7 @@ impl<'a> Leeway<'a> {
 
     /// Whether the contacts of the answer are certain to remain, with changes of forces up to `near` of the largest, when a number
     /// changes by `step` to either side; `changes` are the changes of the nodes per unit of the number.
-    pub(super) fn holds(&self, of: Change, changes: &[NodeChange], step: f64, near: f64) -> bool {
+    pub(super) fn contacts_remain(&self, of: Change, changes: &[NodeChange], step: f64, near: f64) -> bool {
         self.has_room(of, step)
             && changes.iter().enumerate().all(|(i, change)| {
                 SAFE * (change.force * step).abs() <= near * self.force && self.node_holds(of, i, change, step)
@@ -248,11 +248,13 @@ mod tests {
         let exact = theory::solve(scene).expect("an answer");
         assert!(exact.solved, "{:?}", exact.violations);
         let (leeway, linear) = (Leeway::of(&exact, scene).expect("held"), exact.sensitivity().expect("held"));
-        let all = exact.asked(scene);
-        let of = |asked: &&super::super::asked::Asked| asked.goes_on(&leeway, &linear.on_both_sides(asked.change));
+        let all = exact.variations(scene);
+        let of = |variation: &&super::super::variation::Variation| {
+            variation.is_certain_to_continue(&leeway, &linear.on_both_sides(variation.change))
+        };
         let decided: Vec<_> = all.iter().filter(of).collect();
-        for asked in &decided {
-            assert_eq!(asked.sides(scene, &exact), [true; 2], "{asked:?}");
+        for variation in &decided {
+            assert_eq!(variation.continues_beside(scene, &exact), [true; 2], "{variation:?}");
         }
         (decided.len(), all.len() - decided.len())
     }

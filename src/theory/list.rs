@@ -114,7 +114,7 @@ impl List {
     }
 
     /// On which sides of node `i` the foundation fixes the slope of the beam.
-    pub(super) fn rests(&self, i: usize) -> [bool; 2] {
+    pub(super) fn follows_foundation(&self, i: usize) -> [bool; 2] {
         let held = |left: bool| self.nodes[i].slope == Slope::OfGround { from_the_left: left };
         [self.in_zone_before(i) || held(true), self.in_zone_before(i + 1) || held(false)]
     }

@@ -168,7 +168,7 @@ impl Condition {
             Condition::Couple(node) => {
                 let [left, right] = *moments(given, list, spans).get(node)?;
                 list.nodes.get(node)?.support(given)?;
-                Some(if list.rests(node)[1] { left - right } else { right - left })
+                Some(if list.follows_foundation(node)[1] { left - right } else { right - left })
             }
             Condition::Support(node, pulled) => {
                 let support = &given.supports[list.nodes.get(node)?.support(given)?];

@@ -6,7 +6,7 @@ use crate::certificate::Slope;
 
 /// The list without invalid nodes: starts and ends of zones without their counterpart, and neighbours with no span between them.
 /// Supports remain.
-pub(super) fn merged(given: &PiecewiseScene, nodes: &[Node]) -> List {
+pub(super) fn normal_form(given: &PiecewiseScene, nodes: &[Node]) -> List {
     let mut normal = Normal {
         given,
         closed: 1e-11 * given.length,

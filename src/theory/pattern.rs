@@ -284,7 +284,7 @@ impl Exact {
         let [left, right] = [sides[0].map_or(0.0, |span| span.beam_b[2]), sides[1].map_or(0.0, |span| span.beam_a[2])];
         let lever = TOLERANCE * left.abs().max(right.abs()).max(rest * self.given.length);
         let couple = lever < (right - left).abs();
-        let rests = self.list.rests(i);
+        let rests = self.list.follows_foundation(i);
         [0, 1].map(|side| rests[side] && !self.list.in_zone_before(i + side) && couple)
     }
 

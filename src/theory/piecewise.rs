@@ -278,7 +278,7 @@ impl PiecewiseScene {
 
     /// The rotation of the profile from its slope at `a` to the chord from `a` to `b`, and from the chord to its slope at `b`. `a` and
     /// `b` are in cells `first` and `last`; at a step the higher side counts.
-    pub(super) fn turns(&self, [a, b]: [f64; 2], [first, last]: [usize; 2], even: bool) -> [f64; 2] {
+    pub(super) fn rotations_to_chord(&self, [a, b]: [f64; 2], [first, last]: [usize; 2], even: bool) -> [f64; 2] {
         let stepped = |breakpoint: usize, x: f64| {
             self.breakpoints[breakpoint].x.total_cmp(&x).is_eq()
                 && (self.breakpoints[breakpoint].step != 0.0 || self.is_bearing(breakpoint))

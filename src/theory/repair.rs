@@ -1,12 +1,12 @@
 //! The next list when a contact list fails its check: each fault has its repair.
 //!
 //! A point in tension is removed. A point at which the beam bends more than the profile becomes a zone. Where the beam penetrates the
-//! profile deepest, a contact is added. Contacts that cannot be separate are joined to one zone ([`super::normal::merged`]). What is in
+//! profile deepest, a contact is added. Contacts that cannot be separate are joined to one zone ([`super::normal::normal_form`]). What is in
 //! tension inside a zone or at a support is left to the next guess of the chain.
 
 use super::check::Check;
 use super::list::{List, Node};
-use super::normal::{edge_node, merged};
+use super::normal::{edge_node, normal_form};
 use super::piecewise::PiecewiseScene;
 use super::pull::zones_between;
 use super::sensitivity::{ends, part_at, parts_before};
@@ -44,7 +44,7 @@ pub(super) fn repaired(given: &PiecewiseScene, list: &List, checked: &Check, fau
     };
     let mut nodes: Vec<Node> = list.nodes.iter().enumerate().filter_map(kept).chain(added).collect();
     nodes.sort_by(|a, b| a.x.total_cmp(&b.x));
-    merged(given, &nodes)
+    normal_form(given, &nodes)
 }
 
 /// Whether the span before node `i` is divided: each of its parts has a deepest position, and the deepest of all becomes a contact

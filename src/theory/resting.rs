@@ -2,7 +2,7 @@
 //! of links fails, because the levels differ by far more than the beam bends.
 
 use super::list::List;
-use super::normal::{edge_node, merged};
+use super::normal::{edge_node, normal_form};
 use super::overhang::Overhang;
 use super::piecewise::PiecewiseScene;
 
@@ -12,7 +12,7 @@ pub(super) fn lists(given: &PiecewiseScene) -> [List; 2] {
         let mut nodes = List::free(given).nodes;
         nodes.extend(bearings.into_iter().map(|i| edge_node(given, i)));
         nodes.sort_by(|a, b| a.x.total_cmp(&b.x));
-        merged(given, &nodes)
+        normal_form(given, &nodes)
     })
 }
 

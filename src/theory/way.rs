@@ -100,7 +100,7 @@ impl Way {
     }
 
     /// Overwrites the computed values at an end by the given ones, which have no rounding error.
-    pub(super) fn know(&self, i: usize, at: &mut [f64; 4], beam: &mut [f64; 4]) {
+    pub(super) fn set_known(&self, i: usize, at: &mut [f64; 4], beam: &mut [f64; 4]) {
         if self.holds[i] == EndCondition::Free {
             return;
         }

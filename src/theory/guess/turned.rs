@@ -13,7 +13,7 @@ impl Samples {
         let mut add = |i: usize, turn: f64| samples[i].load += given.tension * turn;
         for (i, ends) in self.x.windows(2).enumerate() {
             let last = given.cell_to(ends[1]).max(self.cell[i]);
-            let [start, end] = given.turns([ends[0], ends[1]], [self.cell[i], last], !self.far[i]);
+            let [start, end] = given.rotations_to_chord([ends[0], ends[1]], [self.cell[i], last], !self.far[i]);
             add(i, start);
             add(i + 1, end);
             add(i, self.breakpoint(given, i).map_or(0.0, |at| given.breakpoints[at].kink));

@@ -9,7 +9,7 @@ use crate::state::{
 };
 use crate::theory::exact::Exact;
 use crate::theory::gauss::Gauss;
-use crate::theory::giving::exerted;
+use crate::theory::giving::spring_force;
 use crate::theory::list::List;
 use crate::theory::piece::{Piece, derivatives, differentiated};
 use crate::theory::piecewise::{AtSpring, AtSupport, Breakpoint, PiecewiseScene};
@@ -269,7 +269,7 @@ fn giving(given: &PiecewiseScene, parts: &[Part], spring: &AtSpring) -> SupportF
     let ([left, right], v) = (beside(parts, at.x), part_at(parts, at.x, false).beam(at.x)[0]);
     let size = left[3].abs() + right[3].abs() + at.acts.force().abs();
     let size = if given.tension == 0.0 { size } else { size + given.tension.abs() * left[1].abs().max(right[1].abs()) };
-    let force = exerted(k, [v, level], force(given, parts, breakpoint), [v.abs(), size]);
+    let force = spring_force(k, [v, level], force(given, parts, breakpoint), [v.abs(), size]);
     SupportForce {
         at: at.x,
         // Negative only by rounding.

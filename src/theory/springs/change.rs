@@ -19,12 +19,12 @@ use super::chain::solve;
 use super::{Part, Springs};
 use crate::scene::{Scene, Support};
 use crate::theory::acts::Acts;
-use crate::theory::asked::{Asked, NOTHING};
 use crate::theory::derivatives::{ContactDerivative, Derivative, Missing};
 use crate::theory::exact::Exact;
 use crate::theory::piecewise::PiecewiseScene;
 use crate::theory::sensitivity::Change;
 use crate::theory::shape::Shape;
+use crate::theory::variation::{NOTHING, Variation};
 
 /// Whether each support is inside the foundation: when a support enters it, a contact begins there.
 fn standing(scene: &Scene) -> impl Iterator<Item = bool> + '_ {
@@ -37,15 +37,16 @@ impl Exact {
         &self,
         springs: &Springs,
         scene: &Scene,
-        asked: Vec<Asked>,
+        variations: Vec<Variation>,
     ) -> Vec<Derivative> {
         let ties = self.has_ties(scene);
-        let by = |asked: Asked| {
+        let by = |variation: Variation| {
             let is_alike = |other: &Scene| standing(scene).eq(standing(other));
-            let one_sided = ties || asked.beside(scene).iter().any(|other| !other.as_ref().is_some_and(is_alike));
-            self.on_springs_by(springs, asked, one_sided)
+            let one_sided =
+                ties || variation.neighbouring_scenes(scene).iter().any(|other| !other.as_ref().is_some_and(is_alike));
+            self.on_springs_by(springs, variation, one_sided)
         };
-        asked.into_iter().filter(|_| self.solved).filter_map(by).collect()
+        variations.into_iter().filter(|_| self.solved).filter_map(by).collect()
     }
 
     /// Whether some compression-only support neither presses nor has a clearance.
@@ -63,9 +64,9 @@ impl Exact {
     }
 
     /// The derivative with respect to one number; [`None`] if a number leaves the range of `f64`.
-    fn on_springs_by(&self, springs: &Springs, asked: Asked, one_sided: bool) -> Option<Derivative> {
+    fn on_springs_by(&self, springs: &Springs, variation: Variation, one_sided: bool) -> Option<Derivative> {
         let Self { given, units, .. } = self;
-        let Asked { by, change: [of, _], unit, .. } = asked;
+        let Variation { by, change: [of, _], unit, .. } = variation;
         let k = springs.stiffness;
         // When a stiffness changes, the penetration acts as a load.
         let sunk = match of {

@@ -256,7 +256,7 @@ impl Beam<'_> {
 
     /// The rotation of the base profile from its slope at the left end of a link to its chord, and from the chord to its slope at the
     /// right end.
-    pub(super) fn turned(&self, i: usize) -> [f64; 2] {
+    pub(super) fn base_rotations(&self, i: usize) -> [f64; 2] {
         let (link, l) = (&self.links[i], self.links[i].hi - self.links[i].lo);
         let [left, right] =
             [0, 1].map(|side| Some(&self.given.shapes[self.given.cells[self.base_cell(i, side)?].shape]));
@@ -274,7 +274,7 @@ impl Beam<'_> {
         let ([from, to], l) = ([0, 1].map(|side| link.end(side, 0.0, 0.0)), link.hi - link.lo);
         let ([g, k], [r, s]) = fixed_end_of_load(self.given, &from, &to);
         let flex = self.given.curvature(link.cells[0], l);
-        let [turn_a, turn_b] = self.turned(i);
+        let [turn_a, turn_b] = self.base_rotations(i);
         let own = [[-turn_a - flex * (g / 3.0 + k / 6.0), r], [turn_b + flex * (g / 6.0 + k / 3.0), -s]];
         Link { c: 1.0 / l, w: flex / 3.0, off: flex / 6.0, own, ..link.clone() }
     }

@@ -27,7 +27,7 @@ impl Beam<'_> {
         let link = &self.links[i];
         let ends = [0, 1].map(|side| link.end(side, 0.0, 0.0));
         let Some(tense) = Tense::of(self.given, &ends, Drive::Load, -1.0) else { return link.clone() };
-        let ([c, pull, w, off, _], [turn_a, turn_b]) = (tense.law, self.turned(i));
+        let ([c, pull, w, off, _], [turn_a, turn_b]) = (tense.law, self.base_rotations(i));
         let [[a, r, _], [b, s, _]] = tense.own;
         let own = [[a - turn_a, r + tense.force * turn_a], [b + turn_b, s - tense.force * turn_b]];
         Link { c, w, off, pull, own, ..link.clone() }
