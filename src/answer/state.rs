@@ -140,9 +140,9 @@ impl Contact {
         Self { from: x, to: x, force, end_forces: None }
     }
 
-    /// Converts a dimensionless contact to the units of its scene; all forces are also multiplied by `times`.
-    pub(crate) fn in_units(self, scale: &Scale, times: f64) -> Self {
-        let force = |force: f64| force * times * scale.force;
+    /// Converts a dimensionless contact to the units of its scene.
+    pub(crate) fn in_units_of(self, scale: &Scale) -> Self {
+        let force = |force: f64| force * scale.force;
         Self {
             from: self.from * scale.length,
             to: self.to * scale.length,
@@ -256,7 +256,7 @@ impl Standing {
         let Resultant { force, at } = self.resultant;
         let motion = self.motion.map(|motion| Motion {
             about: motion.about * scale.length,
-            slope: motion.slope.map(|slope| slope.map(|slope| slope * (scale.depth / scale.length))),
+            slope: motion.slope.map(|slope| slope.map(|slope| slope * scale.slope())),
         });
         Self { resultant: Resultant { force: force * scale.force, at: at * scale.length }, motion, ..self }
     }
@@ -291,7 +291,7 @@ impl ContactState {
         self.contacts.iter().fold(0.0, |sum, c| sum + c.force)
     }
 
-    /// Converts a dimensionless state to the units of its scene. All factors are powers of two, so that only exponents change.
+    /// Converts a dimensionless state to the units of its scene.
     #[must_use]
     pub(crate) fn in_units_of(self, scale: &Scale) -> Self {
         let Scale { length, depth, force } = *scale;
@@ -312,12 +312,12 @@ impl ContactState {
             reactions: Reactions { left: self.reactions.left * force, right: self.reactions.right * force },
             supports: self.supports.into_iter().map(support).collect(),
             standing: self.standing.map(|standing| standing.in_units_of(scale)),
-            contacts: self.contacts.into_iter().map(|contact| contact.in_units(scale, 1.0)).collect(),
+            contacts: self.contacts.into_iter().map(|contact| contact.in_units_of(scale)).collect(),
             touches: self.touches.into_iter().map(|t| Touch { from: t.from * length, to: t.to * length }).collect(),
             deflection: self.deflection.in_units(depth, length),
             moment: self.moment.in_units(scale.moment(), length),
             energy: self.energy * scale.energy(),
-            pressure: self.pressure.map(|p| Pressure { max: p.max * (force / length), at: p.at * length }),
+            pressure: self.pressure.map(|p| Pressure { max: p.max * scale.pressure(), at: p.at * length }),
             nodes: self.nodes.map(|nodes| Nodes {
                 discretisation: nodes.discretisation,
                 x: times(nodes.x, length),

@@ -16,7 +16,7 @@
 
 use super::double_sum::DoubleSum;
 use crate::scene::Beam;
-use crate::scene::axial::turns_of_any;
+use crate::scene::axial::end_rotations_of_any;
 use crate::state::Discretisation;
 
 /// Nodes per step of a walk: few enough for the fastest cache.
@@ -116,7 +116,7 @@ impl Summed {
         if self.pull == 0.0 {
             return self.shares;
         }
-        let [near, far, _] = turns_of_any(self.pull * soft);
+        let [near, far, _] = end_rotations_of_any(self.pull * soft);
         [3.0 * self.shares[0] * near, 6.0 * self.shares[1] * far]
     }
 

@@ -8,7 +8,7 @@ use palkki::text::{magnitude, markdown_text};
 
 use super::answer::Answer;
 use super::arguments::SceneArgument;
-use super::given::given;
+use super::given::scene_lines;
 use super::input::Input;
 use super::table::{Labels, Row, list, table};
 use super::text::heading;
@@ -73,7 +73,7 @@ const CHANGING: [[&str; 2]; 3] = [
 pub(super) fn text(input: &Input, answer: &Answer, form: Explained) -> String {
     let (labels, verdict) = (input.labels(), &answer.solution.verdict);
     let Some(exact) = &answer.solution.exact else { return heading(verdict.status, &answer.reason(), input) };
-    let lines = given(&input.scene, &labels);
+    let lines = scene_lines(&input.scene, &labels);
     let head = match form {
         Explained::Text => heading(verdict.status, &answer.reason(), input) + &list(&lines),
         Explained::Markdown => {

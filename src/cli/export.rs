@@ -46,24 +46,7 @@ pub(super) fn export<'a>(
     }
     let discrete = Discrete::new(&input.scene, *intervals).map_err(|error| input.error(error))?;
     let qp = method.qp(&discrete);
-    let name = |k: usize| {
-        let (node, is_stop, give) = discrete.unknown(k);
-        let of = if is_stop { " of the support" } else { "" };
-        let place = discrete.grid.place(node);
-        match method.is_free_in_contact() {
-            true if is_stop => format!("force{of} at x = {place:?}"),
-            true => format!("contact force at x = {place:?}"),
-            // For an elastic support or foundation, the program's variable is the clearance of the unloaded spring.
-            false if is_stop => {
-                format!("clearance of the beam above the support at x = {place:?} plus {give:?} times its force")
-            }
-            false if 0.0 < give => {
-                format!("clearance of the beam at x = {place:?} plus {give:?} times the contact force there")
-            }
-            false => format!("clearance at x = {place:?}"),
-        }
-    };
-    let names = (0..qp.dimension()).map(name);
+    let names = (0..qp.dimension()).map(|k| unknown_name(&discrete, method, k));
     let texts = match form {
         Form::Dense => {
             let names = names.map(|name| [name]);
@@ -94,6 +77,25 @@ pub(super) fn export<'a>(
     );
     let files = places.iter().flatten().zip(texts).map(Some).collect();
     Ok(Outcome { text: shown, files, is_certified: true })
+}
+
+/// What an unknown of the program is.
+fn unknown_name(discrete: &Discrete, method: Method, k: usize) -> String {
+    let (node, is_stop, give) = discrete.unknown(k);
+    let of = if is_stop { " of the support" } else { "" };
+    let place = discrete.grid.place(node);
+    match method.is_free_in_contact() {
+        true if is_stop => format!("force{of} at x = {place:?}"),
+        true => format!("contact force at x = {place:?}"),
+        // For an elastic support or foundation, the program's variable is the clearance of the unloaded spring.
+        false if is_stop => {
+            format!("clearance of the beam above the support at x = {place:?} plus {give:?} times its force")
+        }
+        false if 0.0 < give => {
+            format!("clearance of the beam at x = {place:?} plus {give:?} times the contact force there")
+        }
+        false => format!("clearance at x = {place:?}"),
+    }
 }
 
 /// A scene file with a body, its matrix, and its gaps or loads. Gaps and loads are `−b`. For finite differences, whose gradient is a

@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use super::answer::Answer;
 use super::arguments::{Common, Varied};
-use super::given::given;
+use super::given::scene_lines;
 use super::input::Input;
 use super::json::{self, RouteObject, SceneObject};
 use super::output::Failure;
@@ -169,7 +169,7 @@ impl Finding {
         } else {
             heading(Status::of_several(self.is_certified()), &reason, input)
         };
-        text += &list(&given(&input.scene, &labels));
+        text += &list(&scene_lines(&input.scene, &labels));
         text.push('\n');
         let [from, to] = self.range.map(|value| labels.number(value));
         text += &list(&[

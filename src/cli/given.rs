@@ -6,7 +6,7 @@ use super::table::Labels;
 
 /// Lines `(name, value)`: beam, loads and foundation; joints, tension, supports and initial shape where they differ from the paper's
 /// beam.
-pub(super) fn given(scene: &Scene, labels: &Labels) -> Vec<(&'static str, String)> {
+pub(super) fn scene_lines(scene: &Scene, labels: &Labels) -> Vec<(&'static str, String)> {
     let beam = format!(
         "length {}, bending stiffness {}",
         labels.length.value(scene.beam().length()),

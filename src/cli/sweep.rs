@@ -13,7 +13,7 @@ use palkki::text::{magnitude, significant};
 
 use super::answer::Answer;
 use super::csv::field;
-use super::given::given;
+use super::given::scene_lines;
 use super::input::Input;
 use super::json::{self, SceneObject};
 use super::output::Failure;
@@ -200,7 +200,7 @@ impl Swept {
         let of = self.stopped.as_ref().map_or(self.rows.len(), |stopped| stopped.of);
         let ended = if self.stopped.is_some() { " are certified, and the sweep is not whole" } else { "" };
         let mut text = titled(status, &format!("{certified} of {of} answers{ended}"), input, &self.warnings(input));
-        text += &list(&given(&input.scene, &labels));
+        text += &list(&scene_lines(&input.scene, &labels));
         text.push('\n');
         text += &list(&[
             ("varied", format!("{varied}, {} values from {} to {}", self.rows.len(), ends[0], ends[1])),

@@ -10,7 +10,7 @@ use palkki::text::{magnitude, magnitude_at_most};
 use palkki::theory::{Exact, FreeSpan};
 
 use super::answer::{Answer, Grids};
-use super::given::given;
+use super::given::scene_lines;
 use super::input::Input;
 use super::table::{Label, Labels, MOST_ROWS, Row, first, list, table};
 
@@ -93,7 +93,7 @@ pub(super) fn solve(input: &Input, answer: &Answer, nodes: bool) -> String {
     let labels = input.labels();
     let warnings = answer.warnings(input);
     let mut text = titled(answer.solution.verdict.status, &reason(answer), input, &warnings);
-    text += &list(&given(&input.scene, &labels));
+    text += &list(&scene_lines(&input.scene, &labels));
     text.push('\n');
     text += &how(answer);
     if let Some(found) = &answer.grids {

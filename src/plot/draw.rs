@@ -32,7 +32,7 @@ pub(super) fn draw(
             }
             // In the upper half of the frame there is more room below the point.
             let below = *dot && at[1] < 0.5 * (frame.top + frame.bottom);
-            labels.ask(Label { below, ..Label::new(text, at, *color) });
+            labels.request(Label { below, ..Label::new(text, at, *color) });
             Ok(())
         }
         Layer::Supports(supports) => supports.iter().try_for_each(|mark| {
@@ -88,7 +88,7 @@ fn series(
     let label = |at: Point| Label::new(name, at, style.color);
     match [last, first].into_iter().find(|end| style.dash.is_some() && frame.names_beside(end[0], name)) {
         Some(end) => labels.name(label(end)),
-        None => labels.ask(label(last)),
+        None => labels.request(label(last)),
     }
     Ok(())
 }
@@ -104,7 +104,7 @@ fn arrows(canvas: &mut Canvas, layer: &Arrows, axes: &Axes, labels: &mut Labels)
         canvas.arrow(tip[0], [tail[1], tip[1]], layer.color, SHAFT, layer.dash)?;
         labels.avoid(sampled(&[tail, tip], INK));
         let label = Label::new(&arrow.text, tip, layer.color);
-        labels.ask(Label { optional: arrow.optional, below: force < 0.0, ..label });
+        labels.request(Label { optional: arrow.optional, below: force < 0.0, ..label });
     }
     Ok(())
 }
@@ -245,7 +245,7 @@ fn distributed(canvas: &mut Canvas, sketch: &LoadSketch, axes: &Axes, labels: &m
             }
         }
         for (x, q, text) in &sketch.values {
-            labels.ask(Label::new(text, edge([*x, q.max(0.0)]), Color::BLUE));
+            labels.request(Label::new(text, edge([*x, q.max(0.0)]), Color::BLUE));
         }
         labels.avoid(sampled(&outline, INK));
     }
@@ -268,7 +268,7 @@ fn point_loads(canvas: &mut Canvas, sketch: &LoadSketch, axes: &Axes, labels: &m
         let ends = if 0.0 < *force { [far[1], near[1]] } else { [near[1], far[1]] };
         canvas.arrow(x, ends, Color::BLACK, SHAFT, Dash::Solid)?;
         labels.avoid(sampled(&[near, far], INK));
-        labels.ask(Label::new(text, far, Color::BLACK));
+        labels.request(Label::new(text, far, Color::BLACK));
     }
     Ok(())
 }
@@ -298,7 +298,7 @@ fn couples(canvas: &mut Canvas, sketch: &LoadSketch, axes: &Axes, labels: &mut L
         canvas.line(&line, Color::BLACK, 5, Dash::Solid)?;
         canvas.fill(&[tip, corner(1.0), corner(-1.0)], Color::BLACK, 1.0)?;
         labels.avoid(sampled(&line, INK));
-        labels.ask(Label::new(text, [center[0], center[1] - RADIUS], Color::BLACK));
+        labels.request(Label::new(text, [center[0], center[1] - RADIUS], Color::BLACK));
     }
     Ok(())
 }

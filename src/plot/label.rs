@@ -87,7 +87,7 @@ pub(super) const BESIDE: f64 = 44.0;
 const FAR: f64 = 45.0;
 
 impl Labels {
-    pub(super) fn ask(&mut self, label: Label) {
+    pub(super) fn request(&mut self, label: Label) {
         if !label.text.is_empty() {
             self.wanted.push(label);
         }

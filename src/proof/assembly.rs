@@ -105,7 +105,7 @@ impl Given {
         let equilibrium = Equilibrium { given: self, nodes, spans: &spans };
         let chosen = equilibrium.corrected(equilibrium.near()?)?;
         let hanging = (0..spans.len()).map(|i| equilibrium.moments(i, &chosen).0).collect();
-        let moved: Vec<_> = (0..spans.len()).map(|i| equilibrium.moved(i, &chosen)).collect();
+        let moved: Vec<_> = (0..spans.len()).map(|i| equilibrium.with_chosen(i, &chosen)).collect();
         for (span, curve) in spans.iter_mut().zip(moved).filter_map(|(span, curve)| Some((span.as_mut()?, curve?))) {
             span.curve = curve;
         }
@@ -162,7 +162,7 @@ impl Given {
                 let on_left = RBig::ZERO < couple;
                 let Some(below) = support
                     .filter(|support| support.tangent[usize::from(!on_left)])
-                    .and_then(|support| Some(&self.side(x, on_left)?[0] - &support.level))
+                    .and_then(|support| Some(&self.gap_beside(x, on_left)?[0] - &support.level))
                 else {
                     return Err(Unproven::Couple { at: x });
                 };
@@ -268,7 +268,7 @@ impl Assembly<'_> {
         let mut places = vec![given.end(&nodes[0], 1)?];
         for two in parts.windows(2) {
             let x = two[0][1];
-            let (Some([g, before]), Some([_, behind])) = (given.side(x, true), given.side(x, false)) else {
+            let (Some([g, before]), Some([_, behind])) = (given.gap_beside(x, true), given.gap_beside(x, false)) else {
                 return Err(Unproven::Place { at: x });
             };
             let kink = magnitude(&(&behind - &before));

@@ -114,7 +114,7 @@ impl Given {
     /// Whether the beam may rotate at a contact: at a joint, at an end of the beam, without a foundation, and where the two sides of
     /// the foundation differ.
     fn is_corner(&self, x: f64) -> bool {
-        let [left, right] = [true, false].map(|left| self.side(x, left));
+        let [left, right] = [true, false].map(|left| self.gap_beside(x, left));
         self.joint(x).is_some()
             || left.is_none() && right.is_none()
             || x <= 0.0
@@ -137,7 +137,7 @@ impl Given {
         let level = given.or_else(|| self.depth(node.x)).ok_or(Unproven::Place { at: node.x })?;
         let built_in = support.and_then(|s| s.slope.clone());
         let along = node.along.filter(|_| !self.turns(node, side));
-        let ground = along.and_then(|left| self.side(node.x, left)).map(|[_, slope]| slope);
+        let ground = along.and_then(|left| self.gap_beside(node.x, left)).map(|[_, slope]| slope);
         Ok([level, built_in.or(ground).unwrap_or_else(|| node.slopes[side].clone())])
     }
 
@@ -258,7 +258,7 @@ impl Given {
             let Some(support) = self.support(nodes[i].x).filter(is_open) else { continue };
             for left in [true, false].into_iter().filter(|left| support.tangent[usize::from(!left)]) {
                 let node = &mut nodes[i];
-                let Some([_, ground]) = self.side(node.x, left) else { continue };
+                let Some([_, ground]) = self.gap_beside(node.x, left) else { continue };
                 let slope = &node.slopes[usize::from(!left)];
                 let steeper = if left { &ground - slope } else { slope - &ground };
                 if exactly(-ALIKE) * (magnitude(&ground) + magnitude(slope)) <= steeper {

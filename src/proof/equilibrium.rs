@@ -101,7 +101,7 @@ impl Equilibrium<'_> {
 
     /// Span `i` with its chosen `v` at loose positions. The change grows by `s⁴` from the positions before and behind, which is far
     /// less than the clearance where the beam lifts off.
-    pub(super) fn moved(&self, i: usize, chosen: &Chosen) -> Option<Curve> {
+    pub(super) fn with_chosen(&self, i: usize, chosen: &Chosen) -> Option<Curve> {
         let curve = &self.spans[i].as_ref()?.curve;
         let (loose, ends) = (self.loose(i), [curve[0].0[0], curve[curve.len() - 1].0[1]]);
         let none = RBig::ZERO;

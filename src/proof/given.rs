@@ -241,14 +241,14 @@ impl Given {
     }
 
     /// `g` and `g'` on one side of a position.
-    pub(super) fn side(&self, x: f64, left: bool) -> Option<[RBig; 2]> {
+    pub(super) fn gap_beside(&self, x: f64, left: bool) -> Option<[RBig; 2]> {
         Some(jet(&self.about(x, left)?, &RBig::ZERO))
     }
 
     /// `g(x)` of everything rigid: at a step the smaller of the two gaps, or the gap of a compression-only support.
     pub(super) fn depth(&self, x: f64) -> Option<RBig> {
         let sides = [true, false].into_iter().filter(|_| !self.is_on_soil());
-        let sides = sides.filter_map(|left| self.side(x, left)).map(|[g, _]| g);
+        let sides = sides.filter_map(|left| self.gap_beside(x, left)).map(|[g, _]| g);
         sides.chain(self.alone.iter().filter(|s| s.0 == x).map(|s| s.1.clone())).min()
     }
 

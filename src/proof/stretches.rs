@@ -34,7 +34,7 @@ impl Given {
                     let beside = [i.checked_sub(1).and_then(|i| stretches.get(i)), stretches.get(i)];
                     for (side, stretch) in beside.into_iter().enumerate() {
                         if let Some(part) = stretch.filter(|part| part.sunk.is_empty()) {
-                            node.slopes[side] = exactly(part.ends[1 - side][1] * (scale.depth / scale.length));
+                            node.slopes[side] = exactly(part.ends[1 - side][1] * scale.slope());
                         }
                     }
                 }
@@ -70,7 +70,7 @@ impl Given {
         let deepest = ends.fold(0.0, |most: f64, (sunk, l, turn)| most.max(sunk.max(turn * l)));
         let sunk = beside[1].map(|part| part.ends[0][0]).or(beside[0].map(|part| part.ends[1][0])).unwrap_or(0.0);
         let lifts_off = beside.iter().any(Option::is_none) && sunk <= SURFACE * deepest;
-        let surface = self.side(x, sides[1].is_none()).filter(|_| lifts_off).map(|[g, _]| g);
+        let surface = self.gap_beside(x, sides[1].is_none()).filter(|_| lifts_off).map(|[g, _]| g);
         let stiffness = [true, false].map(|left| self.bending_beside(x, left));
         let moment = |of: &[RBig; 4], side: usize| short(&(-stiffness[side] * &of[2]));
         let splits = self.turning(x).is_some() || self.support(x).is_some_and(|s| s.slope.is_some());

@@ -9,7 +9,7 @@
 //! Both are quotients of power series in `z` with positive coefficients; the denominator is `S = sinh u/u`. No digits cancel for
 //! a small force, and compression only changes the sign of `z`.
 
-use super::written::{rounded, shown};
+use super::written::{as_written, rounded};
 use super::{Beam, SceneError, Support};
 
 /// The greatest `ℓ √(|N|/EI)` of a part of a beam. It limits `|z|` to 0.64, so that the first omitted term of each series is
@@ -20,7 +20,7 @@ pub(crate) const LONGEST: f64 = 0.8;
 const TERMS: u32 = 9;
 
 /// `s₁`, `s₂` and `1/S` of a part with this `z`.
-pub(crate) fn turns(z: f64) -> [f64; 3] {
+pub(crate) fn end_rotations(z: f64) -> [f64; 3] {
     // p = z^n/(2n + 1)!
     let (mut sine, mut near, mut far, mut p) = (0.0, 0.0, 0.0, 1.0);
     for n in (0..TERMS).map(|n| 2.0 * f64::from(n)) {
@@ -34,9 +34,9 @@ pub(crate) fn turns(z: f64) -> [f64; 3] {
 }
 
 /// `s₁`, `s₂` and `1/S` of a part of any length. Beyond [`LONGEST`] the closed forms are used, which lose no digits there.
-pub(crate) fn turns_of_any(z: f64) -> [f64; 3] {
+pub(crate) fn end_rotations_of_any(z: f64) -> [f64; 3] {
     if z.abs() <= LONGEST * LONGEST {
-        return turns(z);
+        return end_rotations(z);
     }
     let u = z.abs().sqrt();
     if z < 0.0 {
@@ -51,7 +51,7 @@ pub(crate) fn turns_of_any(z: f64) -> [f64; 3] {
 /// The end curvatures of the cubic whose end rotations equal those of a part under end moments `EI` and zero. Without an axial
 /// force they are one and zero.
 pub(crate) fn as_cubic(z: f64) -> [f64; 2] {
-    let [near, far, _] = turns_of_any(z);
+    let [near, far, _] = end_rotations_of_any(z);
     [4.0 * near - 2.0 * far, 4.0 * far - 2.0 * near]
 }
 
@@ -84,14 +84,14 @@ pub enum Unstable {
     #[error(
         "`beam.tension` is {}: compression needs a beam that its supports hold, by two of them or a built-in one, and that no hinge leaves \
          free to move",
-        shown(*tension)
+        as_written(*tension)
     )]
     Unheld {
         /// The axial force \[force\].
         tension: f64,
     },
     /// The compression exceeds the buckling load.
-    #[error("`beam.tension` is {}: the beam buckles at {} before it touches", shown(*tension), rounded(*at))]
+    #[error("`beam.tension` is {}: the beam buckles at {} before it touches", as_written(*tension), rounded(*at))]
     Buckles {
         /// The axial force \[force\].
         tension: f64,
@@ -99,7 +99,7 @@ pub enum Unstable {
         at: f64,
     },
     /// The beam is stable, but its model on a coarse grid is not.
-    #[error("`beam.tension` is {}: on {intervals} intervals the beam buckles before; more intervals are needed", shown(*tension))]
+    #[error("`beam.tension` is {}: on {intervals} intervals the beam buckles before; more intervals are needed", as_written(*tension))]
     OnGrid {
         /// The axial force \[force\].
         tension: f64,
@@ -129,7 +129,7 @@ impl Beam {
     /// The axial force `N` below which the beam buckles on its bilateral supports alone; not positive, accurate to 12 digits
     /// \[force\].
     ///
-    /// The elimination of deflections and moments along the beam ([`turns`]) has one negative pivot for each moment while the
+    /// The elimination of deflections and moments along the beam ([`end_rotations`]) has one negative pivot for each moment while the
     /// stiffness is positive definite (Sylvester's law of inertia), and more beyond the buckling load.
     pub(crate) fn buckles_at(&self) -> f64 {
         /// Number of bisections of the interval that contains the buckling load.
@@ -251,7 +251,7 @@ impl Elimination {
 /// `1/ℓ`, `N/ℓ`, `ℓ s₁/EI`, `ℓ s₂/EI` and `1/(ℓ² S)` of a part.
 pub(crate) fn law(length: f64, stiffness: f64, tension: f64) -> [f64; 5] {
     let flexibility = length / stiffness;
-    let [near, far, fall] = turns(tension * length * flexibility);
+    let [near, far, fall] = end_rotations(tension * length * flexibility);
     [1.0 / length, tension / length, flexibility * near, flexibility * far, fall / (length * length)]
 }
 

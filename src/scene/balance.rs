@@ -26,7 +26,7 @@ use std::cmp::Ordering;
 
 use sum::Sum;
 
-use super::written::{beside, carriers, fulcrum, rounded, shown};
+use super::written::{as_written, beside, carriers, fulcrum, rounded};
 use super::{Foundation, Scale, Scene, Support};
 
 /// The resultant of all loads.
@@ -95,7 +95,7 @@ pub enum Unheld {
         "the loads have their resultant {} at x = {}, above the one place that could carry them alone: on what gives no position is \
          known to be one of rest",
         rounded(*force),
-        shown(*at)
+        as_written(*at)
     )]
     OnBorder {
         /// The resultant, positive downwards \[force\].
@@ -113,7 +113,7 @@ pub enum Unheld {
     #[error(
         "the loads turn the part of the beam to the {} of its hinge at x = {} {} about it, with a moment of {}: nothing {}",
         if *right { "right" } else { "left" },
-        shown(*hinge),
+        as_written(*hinge),
         if *up { "up" } else { "down" },
         rounded(*moment),
         if *up { "holds it down" } else { "is below it" }
@@ -131,8 +131,8 @@ pub enum Unheld {
     /// The loads move one or more parts between hinges.
     #[error(
         "the loads move the beam between x = {} and x = {} {}: its hinges let it, and nothing {}",
-        shown(*from),
-        shown(*to),
+        as_written(*from),
+        as_written(*to),
         if *up { "up" } else { "down" },
         if *up { "holds it down there" } else { "is below it there" }
     )]
@@ -155,7 +155,7 @@ pub enum Unheld {
             (true, true) => "ground to the right of the support",
             (true, false) => "ground to the left of the support",
         },
-        shown(*at),
+        as_written(*at),
         rounded(*moment)
     )]
     Turns {
@@ -184,7 +184,7 @@ impl Balance {
         match scene.foundation() {
             None if beam.is_hinged() && moves() => Self::of_supports(scene).and(Err(Unheld::Mechanism)),
             _ if beam.is_hinged() => {
-                Self::of_supports(scene).and_then(|balance| hinged::rests(scene).map(|()| balance))
+                Self::of_supports(scene).and_then(|balance| hinged::check_parts(scene).map(|()| balance))
             }
             _ => Self::of_supports(scene),
         }

@@ -3,13 +3,13 @@
 use super::balance::Unheld;
 use super::quantity::{Profile, ProfileKey, Quantity};
 use super::scale::Scale;
-use super::written::{against, fitting, placed, shown};
+use super::written::{against, as_written, fitting, placed};
 
 /// The reason why a scene was rejected.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum SceneError {
     /// A number must be positive and is not.
-    #[error("`{quantity}` must be positive and finite, but is {}", shown(*value))]
+    #[error("`{quantity}` must be positive and finite, but is {}", as_written(*value))]
     NotPositive {
         /// The quantity.
         quantity: Quantity,
@@ -17,7 +17,7 @@ pub enum SceneError {
         value: f64,
     },
     /// A number is NaN or infinite.
-    #[error("`{quantity}` must be finite, but is {}", shown(*value))]
+    #[error("`{quantity}` must be finite, but is {}", as_written(*value))]
     NotFinite {
         /// The quantity.
         quantity: Quantity,
@@ -75,7 +75,7 @@ pub enum SceneError {
         previous: f64,
     },
     /// More than two points of a polyline at the same position.
-    #[error("`{quantity}` is the third point at x = {}: two points make a step, more have no meaning", shown(*value))]
+    #[error("`{quantity}` is the third point at x = {}: two points make a step, more have no meaning", as_written(*value))]
     ThreePointsAtOnePlace {
         /// The quantity of the third point.
         quantity: Quantity,
@@ -117,7 +117,7 @@ pub enum SceneError {
         of: Quantity,
     },
     /// A negative stiffness of an elastic foundation.
-    #[error("`{quantity}` must not be negative, but is {}; 0 leaves a gap without foundation", shown(*value))]
+    #[error("`{quantity}` must not be negative, but is {}; 0 leaves a gap without foundation", as_written(*value))]
     NegativeGroundStiffness {
         /// The quantity.
         quantity: Quantity,
@@ -128,7 +128,7 @@ pub enum SceneError {
     #[error("`{}` is 0 from end to end; leave out `[foundation]` if there is none", Quantity::GroundStiffness)]
     NoGroundAnywhere,
     /// A step of a stiffness, or a joint, at a position that is not allowed.
-    #[error("`{quantity}` must {expected}, but is {}", shown(*value))]
+    #[error("`{quantity}` must {expected}, but is {}", as_written(*value))]
     Misplaced {
         /// The quantity that gives the position.
         quantity: Quantity,
@@ -138,7 +138,7 @@ pub enum SceneError {
         expected: &'static str,
     },
     /// The bending stiffness of a step is not positive and finite.
-    #[error("`{quantity}` must be positive and finite, but is {}; a hinge is one of `beam.joints`", shown(*value))]
+    #[error("`{quantity}` must be positive and finite, but is {}; a hinge is one of `beam.joints`", as_written(*value))]
     StepNotPositive {
         /// The quantity.
         quantity: Quantity,
@@ -146,7 +146,7 @@ pub enum SceneError {
         value: f64,
     },
     /// Two joints at the same position.
-    #[error("`{quantity}` is {}, and another joint is at x = {}", shown(*value), shown(*other))]
+    #[error("`{quantity}` is {}, and another joint is at x = {}", as_written(*value), as_written(*other))]
     JointsTooClose {
         /// The position that is given later.
         quantity: Quantity,
@@ -159,7 +159,7 @@ pub enum SceneError {
     #[error(
         "`{quantity}` is {}, where a support holds the slope (`built_in` or `turning_stiffness`): give the joint a place beside the \
          support, on the side on which the beam turns",
-        shown(*value)
+        as_written(*value)
     )]
     JointAtBuiltIn {
         /// The position of the joint.
@@ -168,7 +168,7 @@ pub enum SceneError {
         value: f64,
     },
     /// A couple at a joint.
-    #[error("`{quantity}` is {}, where a joint is: give it a place beside the joint, on the side on which it acts", shown(*value))]
+    #[error("`{quantity}` is {}, where a joint is: give it a place beside the joint, on the side on which it acts", as_written(*value))]
     CoupleAtJoint {
         /// The position of the couple.
         quantity: Quantity,
@@ -187,7 +187,7 @@ pub enum SceneError {
         feature: &'static str,
     },
     /// A step in the initial shape: the axis of a beam is continuous.
-    #[error("`{quantity}` is the second point at x = {}: the axis of a beam has no step", shown(*value))]
+    #[error("`{quantity}` is the second point at x = {}: the axis of a beam has no step", as_written(*value))]
     StepInShape {
         /// The position of the second of the two points.
         quantity: Quantity,
@@ -197,7 +197,7 @@ pub enum SceneError {
     /// A corner of the axis at a support that prescribes the slope: the slope is not unique there.
     #[error(
         "the own shape must not have a corner at a built-in support, which holds the slope, but has one at x = {}",
-        shown(*at)
+        as_written(*at)
     )]
     CornerAtBuiltIn {
         /// Position of the support.
@@ -207,7 +207,7 @@ pub enum SceneError {
     #[error(
         "the foundation must not lie above a support, but its depth at the support x = {} is {}, above the level {} of the \
          support: no deflection satisfies both on rigid ground; an elastic foundation (`stiffness`) may lie above a support",
-        shown(*at),
+        as_written(*at),
         against(*depth, *level),
         against(*level, *depth)
     )]
@@ -223,7 +223,7 @@ pub enum SceneError {
     #[error(
         "a support with pushes_only must stand above the ground, but at x = {} its level is {} and the depth of the foundation {}: \
          rigid ground is in its way; in an elastic foundation (`stiffness`) it may stand",
-        shown(*at),
+        as_written(*at),
         against(*level, *depth),
         against(*depth, *level)
     )]
@@ -236,7 +236,7 @@ pub enum SceneError {
         level: f64,
     },
     /// A built-in support that is also compression-only.
-    #[error("the support at x = {} cannot both push only and be built in", shown(*at))]
+    #[error("the support at x = {} cannot both push only and be built in", as_written(*at))]
     PushesBuiltIn {
         /// The position of the support.
         quantity: Quantity,
@@ -246,7 +246,7 @@ pub enum SceneError {
     /// A built-in support that is also elastic.
     #[error(
         "the support at x = {} cannot both give (`stiffness`) and be `built_in`: with `turning_stiffness` a spring holds the slope",
-        shown(*at)
+        as_written(*at)
     )]
     GivesBuiltIn {
         /// The position of the support.
@@ -259,7 +259,7 @@ pub enum SceneError {
         "the foundation must not rise above a beam that is built in, but at the built-in support x = {}, where it is level with \
          the beam, its slope to the {side} of it is {}, and that of the beam is {}: no deflection satisfies both on rigid ground; an \
          elastic foundation (`stiffness`) may rise there",
-        shown(*at),
+        as_written(*at),
         against(*slope, *held),
         against(*held, *slope)
     )]
@@ -278,7 +278,7 @@ pub enum SceneError {
         "the foundation must not rise above the beam on both sides of a support, but at the simple support x = {}, where it is \
          level with the beam, its slope against that of the own shape is {} to the left and {} to the right of it: no deflection \
          satisfies both on rigid ground; an elastic foundation (`stiffness`) may rise there",
-        shown(*at),
+        as_written(*at),
         against(slopes[0], slopes[1]),
         against(slopes[1], slopes[0])
     )]
@@ -298,7 +298,7 @@ pub enum SceneError {
         what: &'static str,
     },
     /// Finite numbers from which a derived number overflows.
-    #[error("`{quantity}` leads to numbers beyond the range of 64-bit floating point ({what} is {})", shown(*value))]
+    #[error("`{quantity}` leads to numbers beyond the range of 64-bit floating point ({what} is {})", as_written(*value))]
     Overflow {
         /// The quantity that the message names.
         quantity: Quantity,
@@ -308,7 +308,7 @@ pub enum SceneError {
         value: f64,
     },
     /// A position that needs a node of its own has none on the grid.
-    #[error("no node of {intervals} equal intervals lies on {} at x = {}; {}", placed(*quantity), shown(*at), fitting(*fits))]
+    #[error("no node of {intervals} equal intervals lies on {} at x = {}; {}", placed(*quantity), as_written(*at), fitting(*fits))]
     BetweenNodes {
         /// The position of a support, a joint or a step of the bending stiffness.
         quantity: Quantity,

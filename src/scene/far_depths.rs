@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::written::shown;
+use super::written::as_written;
 use super::{Foundation, Profile};
 use crate::text::Results;
 
@@ -76,7 +76,7 @@ impl fmt::Display for FarDepths {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { of, count, first: [x, depth], others } = *self;
         let [least, most] = others.map(|depth| Results::default().number(depth));
-        let (of, x, depth) = (of.path(), shown(x), shown(depth));
+        let (of, x, depth) = (of.path(), as_written(x), as_written(depth));
         match count {
             1 => write!(f, "the depth {depth} of `{of}` at x = {x} is far from all other depths")?,
             _ => write!(

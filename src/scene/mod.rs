@@ -43,7 +43,7 @@ pub use quantity::{Profile, ProfileKey, Quantity};
 pub use scale::{Scale, Scaled};
 pub use stiffness::Joint;
 pub use support::{Bearing, Held, Spring, Support};
-pub(crate) use written::shown;
+pub(crate) use written::as_written;
 
 /// A beam with its loads and, if there is one, the foundation below it.
 #[derive(Debug, Clone, PartialEq)]

@@ -6,7 +6,7 @@
 
 use super::{Balance, Quantity, Scene, SceneError};
 
-/// The units in which a scene is dimensionless: powers of two.
+/// Units of length, depth and force. Those in which a scene is dimensionless are powers of two.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scale {
     /// Unit along the beam, `L`.
@@ -29,6 +29,16 @@ impl Scale {
     pub fn energy(&self) -> f64 {
         self.force * self.depth
     }
+
+    /// Unit of slope, `U/L`.
+    pub(crate) fn slope(&self) -> f64 {
+        self.depth / self.length
+    }
+
+    /// Unit of load and pressure, `F/L`.
+    pub(crate) fn pressure(&self) -> f64 {
+        self.force / self.length
+    }
 }
 
 /// A scene in dimensionless numbers, with its units.
@@ -40,6 +50,13 @@ pub struct Scaled {
     pub scale: Scale,
     /// The motions that the supports leave free, and the resultant that balances them; dimensionless.
     pub balance: Balance,
+}
+
+impl Scaled {
+    /// The units of beam theory, which divides loads, forces, moments and energies by the least `EI`.
+    pub(crate) fn units_over_stiffness(&self) -> Scale {
+        Scale { force: self.scene.beam().bending_stiffness() * self.scale.force, ..self.scale }
+    }
 }
 
 impl Scene {

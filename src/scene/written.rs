@@ -5,7 +5,7 @@ use super::quantity::Quantity;
 use crate::text::Results;
 
 /// A number as messages print it: as written in the file, or with six digits if it was computed.
-pub(crate) fn shown(value: f64) -> String {
+pub(crate) fn as_written(value: f64) -> String {
     /// Input rarely has more digits, whereas most computed sums and products do.
     const WRITTEN: usize = 12;
     let text = in_full(value);
@@ -15,8 +15,8 @@ pub(crate) fn shown(value: f64) -> String {
 
 /// A number that is compared with another one: with all digits if six would make them look equal.
 pub(super) fn against(value: f64, other: f64) -> String {
-    let text = shown(value);
-    if text == shown(other) { in_full(value) } else { text }
+    let text = as_written(value);
+    if text == as_written(other) { in_full(value) } else { text }
 }
 
 /// A number with all digits, and with a power of ten where many zeros would have to be counted.
@@ -33,7 +33,7 @@ pub(super) fn in_full(value: f64) -> String {
 
 /// The objects that can carry a beam without bilateral supports, with their outermost positions.
 pub(super) fn carriers(grounded: bool, ends: [f64; 2]) -> String {
-    let [from, to] = ends.map(shown);
+    let [from, to] = ends.map(as_written);
     match (grounded, from == to) {
         (true, _) => format!("the ground ({from} … {to})"),
         (false, true) => format!("the only support that pushes ({from})"),
@@ -45,18 +45,18 @@ pub(super) fn carriers(grounded: bool, ends: [f64; 2]) -> String {
 /// foundation, or the outermost support.
 pub(super) fn fulcrum(grounded: bool, ends: [f64; 2], at: f64) -> String {
     let (side, end) = if at < ends[0] { ("left", ends[0]) } else { ("right", ends[1]) };
-    if grounded { format!("the {side} end of the ground") } else { format!("its support at x = {}", shown(end)) }
+    if grounded { format!("the {side} end of the ground") } else { format!("its support at x = {}", as_written(end)) }
 }
 
 /// A number with four significant digits.
 pub(super) fn rounded(value: f64) -> String {
-    shown(format!("{value:.3e}").parse().unwrap_or(value))
+    as_written(format!("{value:.3e}").parse().unwrap_or(value))
 }
 
 /// A position outside a range with four significant digits, or with all digits if rounding would move it into the range.
 pub(super) fn beside(at: f64, [from, to]: [f64; 2]) -> String {
     let rounded: f64 = format!("{at:.3e}").parse().unwrap_or(at);
-    if (from..=to).contains(&rounded) { in_full(at) } else { shown(rounded) }
+    if (from..=to).contains(&rounded) { in_full(at) } else { as_written(rounded) }
 }
 
 /// The name of an object that needs a node of the grid at its position.

@@ -21,9 +21,13 @@
 //! ```text
 //! V_l = (M_r − M_l)/L + A_l,    V_r = (M_r − M_l)/L − A_r,    R = V(x+) − V(x−) + P
 //! ```
+//!
+//! Deflections, moments and forces are numbers of the answer. The terms of load and stiffness are integrated here from the scene, on
+//! purpose not by the functions of beam theory: with the same functions an error in them would satisfy the equations.
 
 mod bent;
 mod laws;
+mod places;
 mod springs;
 mod what;
 
@@ -31,13 +35,10 @@ pub use laws::Law;
 pub use springs::{Chain, ChainNode, Link, Parts};
 pub use what::What;
 
-use crate::scene::{Concentrated, Foundation, Scene};
-use crate::state::SupportForce;
+use crate::scene::{Concentrated, Scene};
 use crate::theory::Exact;
 use bent::{Bent, each_load};
-
-/// Positions closer than this share of the length of the beam are the same.
-const SAME: f64 = 1e-12;
+use places::{Place, SAME, found, is_in_zone, is_same, joint_at, lifted};
 
 /// Shear forces at two positions this close differ by less than this share if no force acts between them.
 const NEARBY: f64 = 1e-9;
@@ -141,10 +142,9 @@ impl Explanation {
         let (spans, overhangs) = (spans(scene, exact, &nodes), overhangs(scene, exact, &nodes));
         let stiffness = 6.0 * scene.beam().bending_stiffness();
         let equations = (0..nodes.len()).flat_map(|i| equations(&nodes, &spans, i, stiffness)).collect();
-        let lifted = exact.state.supports.iter().filter(|support| has_lifted(support)).map(|support| support.at);
         let places: Vec<f64> = nodes.iter().map(|node| node.x).collect();
         let laws = Law::all(scene, exact, &places);
-        Self { lifted: lifted.collect(), laws, nodes, spans, overhangs, equations, stiffness }
+        Self { lifted: lifted(exact), laws, nodes, spans, overhangs, equations, stiffness }
     }
 
     /// The unknowns of the equations, each with its node: a moment with whether it is the one just right of the node, or [`None`] for
@@ -213,67 +213,12 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<Node> {
     found(scene, exact).into_iter().map(|found| Node::of(scene, exact, found)).collect()
 }
 
-/// The positions of the nodes from left to right, each with its kind, its force, and whether the beam follows the slope of the
-/// foundation or of a built-in support there.
-fn found(scene: &Scene, exact: &Exact) -> Vec<(f64, What, f64, bool)> {
-    let (beam, state) = (scene.beam(), &exact.state);
-    let length = beam.length();
-    let is_corner = |x: f64| {
-        let at_vertex = |profile: &Foundation| match profile {
-            Foundation::Polyline { points } => points.iter().any(|point| (point[0] - x).abs() <= SAME * length),
-            _ => false,
-        };
-        scene.foundation().into_iter().chain(beam.shape()).any(at_vertex)
-    };
-    let is_joined = |x: f64| beam.joints().iter().any(|joint| (joint.at - x).abs() <= SAME * length);
-    let mut found = Vec::new();
-    let in_zone = |x: f64| state.contacts.iter().any(|contact| contact.from < x && x < contact.to);
-    for support in state.supports.iter().filter(|support| !has_lifted(support)) {
-        let what = What::of_support(scene, support);
-        // In a zone the foundation carries the force of an elastic support.
-        let gives = beam.springs().iter().any(|spring| (spring.at - support.at).abs() <= SAME * length);
-        if !(gives && in_zone(support.at)) {
-            found.push((support.at, what, support.force, support.moment.is_some()));
-        }
-    }
-    for contact in &state.contacts {
-        match contact.end_forces {
-            Some([left, right]) if contact.from < contact.to => {
-                found.extend([(contact.from, left), (contact.to, right)].map(|(x, f)| (x, What::ZoneEnd, f, true)));
-            }
-            _ if contact.from <= 0.0 || length <= contact.from => {
-                found.push((contact.from, What::Tip, contact.force, false));
-            }
-            // A joint is a corner of the beam.
-            _ if is_corner(contact.from) || is_joined(contact.from) => {
-                found.push((contact.from, What::Corner, contact.force, false))
-            }
-            _ => found.push((contact.from, What::Point, contact.force, true)),
-        }
-    }
-    let hinges = beam.joints().iter().filter(|joint| joint.stiffness.is_none());
-    found.extend(hinges.map(|hinge| (hinge.at, What::Hinge, 0.0, false)));
-    found.extend([0.0, length].map(|end| (end, What::End, 0.0, false)));
-    // Several nodes at one position become one, of the kind of the first; their forces add up.
-    found.sort_by(|a, b| a.0.total_cmp(&b.0));
-    found.dedup_by(|next, kept| {
-        let same = (next.0 - kept.0).abs() <= SAME * length;
-        if same {
-            // A support or a contact takes precedence over an end of the beam or a hinge.
-            let what = if matches!(kept.1, What::End | What::Hinge) { next.1 } else { kept.1 };
-            *kept = (kept.0, what, kept.2 + next.2, kept.3 || next.3);
-        }
-        same
-    });
-    found
-}
-
 impl Node {
     /// A node with deflection, slope, moments and shear forces from beam theory.
-    fn of(scene: &Scene, exact: &Exact, (x, what, force, follows): (f64, What, f64, bool)) -> Self {
+    fn of(scene: &Scene, exact: &Exact, (x, what, force, follows): Place) -> Self {
         let length = scene.beam().length();
         let (deflection, moments) = (exact.deflection(x), exact.moments(x));
-        let here = scene.load().concentrated().filter(|acts| (acts.at - x).abs() <= SAME * length);
+        let here = scene.load().concentrated().filter(|acts| is_same(scene, acts.at, x));
         let [load, couple] = here.fold([0.0; 2], |sum, acts| [sum[0] + acts.force, sum[1] + acts.couple]);
         // Next to anything that acts at this position, extrapolated back along a line; at a free end the load there.
         let beside = |side: usize, way: f64| {
@@ -286,21 +231,9 @@ impl Node {
             What::End => [load, 0.0],
             _ => [if here < x { beside(0, -here) } else { 0.0 }, if x + here < length { beside(1, here) } else { 0.0 }],
         };
-        let joint = scene.beam().joints().iter().find(|joint| (joint.at - x).abs() <= SAME * length);
-        let joint = joint.map(|joint| joint.stiffness.unwrap_or(0.0));
-        let slope = follows.then(|| exact.slope(x));
+        let (slope, joint) = (follows.then(|| exact.slope(x)), joint_at(scene, x));
         Self { what, x, deflection, slope, moments, shears, load, couple, force, joint }
     }
-}
-
-/// Whether this is a support that the beam has lifted off.
-fn has_lifted(support: &SupportForce) -> bool {
-    support.pushes_only && support.force <= 0.0
-}
-
-fn is_in_zone(exact: &Exact, from: f64, to: f64) -> bool {
-    let middle = 0.5 * (from + to);
-    exact.state.contacts.iter().any(|contact| contact.from < middle && middle < contact.to)
 }
 
 fn spans(scene: &Scene, exact: &Exact, nodes: &[Node]) -> Vec<Span> {
@@ -308,7 +241,7 @@ fn spans(scene: &Scene, exact: &Exact, nodes: &[Node]) -> Vec<Span> {
         let [from, to] = [pair[0].x, pair[1].x];
         let Bent { bend, load, reactions, size } = Bent::of(scene, [from, to]);
         let length = to - from;
-        (!is_in_zone(exact, from, to)).then_some(Span { left, length, bend, load, reactions, load_size: size })
+        (!is_in_zone(exact, 0.5 * (from + to))).then_some(Span { left, length, bend, load, reactions, load_size: size })
     };
     let overhang = |span: &Span| [span.left, span.left + 1].iter().any(|&node| nodes[node].what == What::End);
     nodes.windows(2).enumerate().filter_map(span).filter(|span| !overhang(span)).collect()
@@ -318,7 +251,9 @@ fn spans(scene: &Scene, exact: &Exact, nodes: &[Node]) -> Vec<Span> {
 fn overhangs(scene: &Scene, exact: &Exact, nodes: &[Node]) -> Vec<Overhang> {
     let last = nodes.len() - 1;
     let hangs = |&(tip, root): &(usize, usize)| {
-        nodes[tip].what == What::End && nodes[root].what != What::End && !is_in_zone(exact, nodes[tip].x, nodes[root].x)
+        nodes[tip].what == What::End
+            && nodes[root].what != What::End
+            && !is_in_zone(exact, 0.5 * (nodes[tip].x + nodes[root].x))
     };
     let of = |(tip, root): (usize, usize)| {
         let [tip_at, at] = [nodes[tip].x, nodes[root].x];

@@ -54,9 +54,7 @@ impl PiecewiseScene {
             length,
             run_ends: run_ends(&cells, &breakpoints, &divisions, is_straight),
             divisions,
-            roughest: breakpoints
-                .iter()
-                .fold([0.0; 2], |[kink, step], j| [j.kink.abs().max(kink), j.step.abs().max(step)]),
+            roughest: roughest(&breakpoints),
             cells,
             breakpoints,
             shapes,
@@ -100,6 +98,11 @@ impl PiecewiseScene {
             }
         }
     }
+}
+
+/// The largest kink, and the largest step.
+fn roughest(breakpoints: &[Breakpoint]) -> [f64; 2] {
+    breakpoints.iter().fold([0.0; 2], |[kink, step], at| [at.kink.abs().max(kink), at.step.abs().max(step)])
 }
 
 /// The number of terms of a piece and the quadrature rules for loads and energies; `degree` of the profile is none for waves.

@@ -7,7 +7,7 @@ use crate::state::Contact;
 
 impl Exact {
     /// `v''` to the left and to the right of a node; in a zone the second derivative of the gap, and zero beyond the ends of the beam.
-    pub(super) fn bends(&self, i: usize) -> [f64; 2] {
+    pub(super) fn curvatures_beside(&self, i: usize) -> [f64; 2] {
         let (given, x) = (&self.given, self.list.nodes[i].x);
         let [left, right] = super::sensitivity::ends(&self.spans, i);
         let zone = |before: usize, cell: usize| {
@@ -32,7 +32,7 @@ impl Exact {
         let given = &self.given;
         let straight = |shape: usize| given.shapes[shape].degree().is_some_and(|degree| degree < 4);
         let idle = |cell: &Cell| cell.load == 0.0 && cell.load_slope == 0.0 && straight(cell.shape);
-        let [from, to] = [contact.from, contact.to].map(|x| x / self.scale.length);
+        let [from, to] = [contact.from, contact.to].map(|x| x / self.units.length);
         given.cells.get(given.cell_to(from)..=given.cell_from(to)).is_some_and(|cells| cells.iter().any(idle))
     }
 }

@@ -5,10 +5,9 @@ use super::giving::{self, SpringState};
 use super::list::{List, Node, Unknown, Zone};
 use super::newton;
 use super::penetration::deepest;
-use super::piece::{Piece, all_pieces, derivatives};
+use super::piece::{Piece, all_pieces};
 use super::piecewise::PiecewiseScene;
 use super::pull::mean_pull;
-use super::sensitivity::ends;
 use super::span::{EndCondition, Span};
 use super::violation::Violation;
 use crate::certificate::CERTIFIED_RESIDUAL;
@@ -51,11 +50,6 @@ impl Check {
     /// Largest of all forces.
     pub(super) fn largest_force(&self) -> f64 {
         self.scale.force
-    }
-
-    /// The length of the shorter span next to a node.
-    pub(super) fn shortest_beside(&self, node: usize) -> f64 {
-        ends(&self.spans, node).into_iter().flatten().fold(f64::INFINITY, |least, span| span.length().min(least))
     }
 }
 
@@ -127,7 +121,7 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Check {
     for (i, (node, [left, right])) in list.nodes.iter().zip(&moments).enumerate() {
         let (at, jump) = (node.x, right - left + node.couple(given));
         if let Some(index) = node.support(given) {
-            let rests = list.rests(i);
+            let rests = list.follows_foundation(i);
             if let Some(moment) = pulling_couple(given, index, rests, jump) {
                 judge.measure(moment, scale.moment, i, Violation::Couple { at, moment });
             }
@@ -144,7 +138,7 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Check {
             judge.measure(jump.abs(), scale.moment, i, Violation::Jump { jump });
         }
     }
-    let springs = giving::states(given, list, &spans);
+    let springs = giving::spring_states(given, list, &spans);
     let force = springs.iter().fold(unbalanced(given, list, &forces), |rest, spring| rest - spring.force);
     // A load directly on a support counts only here, however large it is.
     let carried = scale.force.max(AT_REST * given.resultant.abs());
@@ -210,9 +204,8 @@ impl Judge {
     /// rounding.
     fn known(&mut self, given: &PiecewiseScene, index: usize, span: &Span) {
         let numbers = || span.beam_a.iter().chain(&span.beam_b);
-        let is_hinged = || given.divisions.iter().any(|&i| given.breakpoints[i].joint.is_infinite());
         let known = numbers().all(|value| value.is_finite());
-        if !known || numbers().any(|value| MOST < value.abs()) && is_hinged() {
+        if !known || numbers().any(|value| MOST < value.abs()) && given.has_hinge() {
             self.refuse(index, Violation::Overflow);
         }
     }
@@ -251,7 +244,7 @@ impl Judge {
                 self.measure(turn * given.length, size, i, Violation::Penetration { at: end.x, depth });
             }
             // If the foundation restrains the slope, the slope of the beam is the slope of the foundation.
-            let along = support.slope.is_some() || list.rests(node)[side];
+            let along = support.slope.is_some() || list.follows_foundation(node)[side];
             if !along && TOLERANCE * size < turn.abs() * given.length {
                 continue;
             }
@@ -339,9 +332,9 @@ impl Scale {
             // Over many cells the maximum may be anywhere.
             let parts = if piece.count() == 1 { 2 } else { PARTS };
             for part in (0..parts).map(f64::from) {
-                let [v, _, v2, _] = derivatives(&taylor, piece.width() * (part / f64::from(parts)));
+                let [v, _, bent, _] = piece.beam(given, &taylor, piece.width() * (part / f64::from(parts)));
                 depth = depth.max(v.abs());
-                moment = moment.max((v2 * piece.stiffness(given)).abs());
+                moment = moment.max(bent.abs());
             }
         }
         let force = forces.iter().fold(0.0_f64, |most, f| most.max(f.abs()));

@@ -1,9 +1,9 @@
 //! The contacts of an answer in a neighbouring scene: its contact list is carried over and is right there, or it violates a condition
 //! that can be named.
 
-use super::check::check;
+use super::check::{Check, check};
 use super::exact::Exact;
-use super::giving::wrong;
+use super::giving::faults_of_springs;
 use super::list::{List, Node};
 use super::margin::{Condition, all, stopped, violated_conditions};
 use super::newton;
@@ -56,13 +56,13 @@ impl Exact {
     /// contacts do not exist there for another reason.
     #[must_use]
     pub(crate) fn violated_conditions(&self, scene: &Scene) -> Option<Vec<Condition>> {
-        let (given, list, converged) = self.tried(scene)?;
+        let Carried { given, list, converged, .. } = self.carried_to(scene)?;
         if !converged {
             return stopped(&given, &list).map(|condition| vec![condition]);
         }
         let checked = check(&given, &list);
         // An elastic stop in tension, or an inactive one that the beam penetrates, is not a condition that can be followed.
-        wrong(&given, &checked).is_empty().then_some(())?;
+        faults_of_springs(&given, &checked).is_empty().then_some(())?;
         Some(violated_conditions(&given, &list, &checked, &self.pattern().pulls))
     }
 
@@ -71,37 +71,37 @@ impl Exact {
     /// may differ from the list that [`solve_near`](super::solve_near) finds.
     #[must_use]
     pub fn moved(&self, scene: &Scene) -> Option<Self> {
-        let scaled = scene.scaled().ok()?;
-        let (given, list) = self.kept(scene)?;
-        let checked = check(&given, &list);
-        let holds = checked.faults.is_empty() && wrong(&given, &checked).is_empty();
-        if !holds || !violated_conditions(&given, &list, &checked, &self.pattern().pulls).is_empty() {
-            return None;
-        }
-        let found = Candidate { list, checked, steps: 0, lists: 1, samples: 0, converged: true };
-        let stiffness = scaled.scene.beam().bending_stiffness();
-        Some(Self::new(given, found, scaled.scale, stiffness))
+        let carried = self.converged_in(scene)?;
+        let checked = check(&carried.given, &carried.list);
+        let violated = violated_conditions(&carried.given, &carried.list, &checked, &self.pattern().pulls);
+        violated.is_empty().then(|| carried.answer(checked)).filter(|there| there.solved)
     }
 
     /// The answer in a neighbouring scene, if this one continues there: with its contacts moved but of the same kinds. If the contacts
     /// cannot be carried over, the answer is solved anew from this one.
-    pub(super) fn goes_on_in(&self, scene: &Scene) -> Option<Self> {
-        let Some((given, list, converged)) = self.tried(scene) else {
-            return solve_near(scene, &[self]).ok().filter(|there| there.solved);
+    pub(super) fn continued_in(&self, scene: &Scene) -> Option<Self> {
+        let there = match self.carried_to(scene) {
+            Some(carried) if carried.converged => Some(carried.checked()),
+            Some(_) => None,
+            None => solve_near(scene, &[self]).ok(),
         };
-        let scaled = scene.scaled().ok()?;
-        let checked = check(&given, &list);
-        let wrong = wrong(&given, &checked);
-        let found = Candidate { list, checked, steps: 0, lists: 1, samples: 0, converged }.with(wrong);
-        let stiffness = scaled.scene.beam().bending_stiffness();
-        found.solved().then(|| Self::new(given, found, scaled.scale, stiffness))
+        there.filter(|there| there.solved)
+    }
+
+    /// This answer with its contacts and its pressed stops in another scene, whether their conditions are satisfied there or not. On an
+    /// elastic foundation the scene is solved anew.
+    pub(super) fn kept_in(&self, scene: &Scene) -> Option<Self> {
+        if self.is_rigid() {
+            return self.converged_in(scene).map(Carried::checked);
+        }
+        solve_near(scene, &[self]).ok().filter(|there| there.solved)
     }
 
     /// The margin of a condition in `scene` for the contacts of this solution, moved but of the same kinds: a smooth function of the
     /// numbers of the scene, negative where the condition is violated. [`None`] where it is undefined.
     #[must_use]
     pub(crate) fn margin(&self, scene: &Scene, condition: Condition) -> Option<f64> {
-        let Some((given, list)) = self.kept(scene) else { return condition.without_list() };
+        let Some(Carried { given, list, .. }) = self.converged_in(scene) else { return condition.without_list() };
         condition.value(&given, &list)
     }
 
@@ -109,7 +109,7 @@ impl Exact {
     /// the same kinds. [`None`] if there are no such contacts.
     #[must_use]
     pub(crate) fn margins(&self, scene: &Scene) -> Option<Vec<(Condition, f64)>> {
-        let (given, list) = self.kept(scene)?;
+        let Carried { given, list, .. } = self.converged_in(scene)?;
         Some(all(&given, &list, &self.pattern().pulls))
     }
 
@@ -151,25 +151,24 @@ impl Exact {
         START + u64::try_from(passes + many).unwrap_or(u64::MAX)
     }
 
-    /// The list of this solution with its positions in `scene`, if Newton's method converged.
-    fn kept(&self, scene: &Scene) -> Option<(PiecewiseScene, List)> {
-        self.tried(scene).and_then(|(given, list, converged)| converged.then_some((given, list)))
+    /// The list of this solution in `scene`, if Newton's method converged.
+    fn converged_in(&self, scene: &Scene) -> Option<Carried> {
+        self.carried_to(scene).filter(|carried| carried.converged)
     }
 
-    /// The list of this solution with its positions in `scene`, on the elastic stops that are pressed here, and whether Newton's method
-    /// converged.
-    fn tried(&self, scene: &Scene) -> Option<(PiecewiseScene, List, bool)> {
+    /// The list of this solution with its positions in `scene`, on the elastic stops that are pressed here.
+    fn carried_to(&self, scene: &Scene) -> Option<Carried> {
         scene.on_rigid_ground("a list of contacts").ok()?;
         let scaled = scene.scaled().ok()?;
         let acts = self.acting();
         let given = PiecewiseScene::with(&scaled.scene, |i| acts.get(i).copied().unwrap_or(true));
         let mut list = self.list_in(&given, &scaled.scale)?;
         let converged = newton::solve(&given, &mut list).converged;
-        Some((given, list, converged))
+        Some(Carried { units: scaled.units_over_stiffness(), given, list, converged })
     }
 
     /// The list of this solution in a neighbouring scene as a starting point; [`None`] if its nodes do not exist there.
-    pub(super) fn list_in(&self, to: &PiecewiseScene, scale: &Scale) -> Option<List> {
+    pub(super) fn list_in(&self, to: &PiecewiseScene, units: &Scale) -> Option<List> {
         let from = &self.given;
         if self.springs.is_some()
             || from.shapes.len() != to.shapes.len()
@@ -179,13 +178,38 @@ impl Exact {
         {
             return None;
         }
-        let unit = self.scale.length / scale.length;
+        let unit = self.units.length / units.length;
         // v' is measured in U/L.
-        let slope = self.scale.depth / scale.depth / unit;
+        let slope = self.units.depth / units.depth / unit;
         let nodes = (0..self.list.nodes.len()).map(|i| carried(&self.list, i, from, to, [unit, slope]));
         let list = List { nodes: nodes.collect::<Option<_>>()? };
         let ordered = list.nodes.windows(2).all(|pair| pair[0].x < pair[1].x);
         ordered.then_some(list)
+    }
+}
+
+/// The contacts of an answer in another scene.
+struct Carried {
+    given: PiecewiseScene,
+    list: List,
+    units: Scale,
+    /// Whether Newton's method converged; otherwise the positions are not those of a solution.
+    converged: bool,
+}
+
+impl Carried {
+    /// The answer with these contacts; it is solved if all conditions are satisfied.
+    fn checked(self) -> Exact {
+        let checked = check(&self.given, &self.list);
+        self.answer(checked)
+    }
+
+    /// The same answer, from the check of its contacts.
+    fn answer(self, checked: Check) -> Exact {
+        let Self { given, list, units, converged } = self;
+        let wrong = faults_of_springs(&given, &checked);
+        let found = Candidate { list, checked, steps: 0, lists: 1, samples: 0, converged }.with(wrong);
+        Exact::new(given, found, units)
     }
 }
 
@@ -196,7 +220,8 @@ fn carried(list: &List, i: usize, from: &PiecewiseScene, to: &PiecewiseScene, [u
     let at = match (node.support(from), breakpoint) {
         (Some(index), _) => {
             let support = to.supports.get(index)?;
-            let tangent = list.rests(i).into_iter().zip(support.tangent).all(|(rests, tangent)| tangent || !rests);
+            let tangent =
+                list.follows_foundation(i).into_iter().zip(support.tangent).all(|(rests, tangent)| tangent || !rests);
             tangent.then_some(support.breakpoint)?
         }
         (None, bearing) if from.is_bearing(bearing) => to.bearings[from.bearings.binary_search(&bearing).ok()?],
@@ -213,6 +238,7 @@ fn carried(list: &List, i: usize, from: &PiecewiseScene, to: &PiecewiseScene, [u
 }
 
 /// A node in another scene that moves along a smooth piece of the profile.
+// Held by: sweep::events::contacts_move_with_a_joint, for pieces that have moved.
 fn moved(node: &Node, from: &PiecewiseScene, to: &PiecewiseScene, unit: f64) -> Option<Node> {
     let shape = from.cells[node.cell].shape;
     // The first cell of that piece to the right of the same support.

@@ -9,12 +9,12 @@
 
 mod moved;
 
-use super::asked::Asked;
 use super::exact::Exact;
 use super::leeway::Leeway;
 use super::list::Node;
 use super::sensitivity::{Change, NodeChange, Sensitivity, standing};
 use super::springs::Springs;
+use super::variation::Variation;
 use crate::scene::{Quantity, Scene};
 use crate::state::Contact;
 
@@ -123,75 +123,75 @@ impl Exact {
     /// needed to find the sides on which they are valid.
     #[must_use]
     pub fn derivatives_and_left_out(&self, scene: &Scene) -> (Vec<Derivative>, usize) {
-        let [asked, beyond] = self.computed_and_left_out(scene);
+        let [variations, beyond] = self.computed_and_left_out(scene);
         if !self.is_linear() {
-            let (count, all) = (asked.len(), self.moved_derivatives(scene, asked));
+            let (count, all) = (variations.len(), self.moved_derivatives(scene, variations));
             return (all.clone(), beyond.len() + if all.is_empty() { 0 } else { count - all.len() });
         }
         if let Some(springs) = &self.springs {
-            let is_step = |asked: &Asked| matches!(asked.by, By::Number(Quantity::GroundStepStiffness(_)));
-            let (steps, asked): (Vec<_>, Vec<_>) = asked.into_iter().partition(is_step);
+            let is_step = |variation: &Variation| matches!(variation.by, By::Number(Quantity::GroundStepStiffness(_)));
+            let (steps, variations): (Vec<_>, Vec<_>) = variations.into_iter().partition(is_step);
             let (count, steps) = (steps.len(), self.moved_derivatives(scene, steps));
             let left_out = beyond.len() + if steps.is_empty() { 0 } else { count - steps.len() };
-            let all = self.derivatives_on_springs(springs, scene, asked).into_iter();
+            let all = self.derivatives_on_springs(springs, scene, variations).into_iter();
             return (all.chain(steps).collect(), left_out);
         }
         // A beam that can rotate has no derivatives, so none are omitted.
-        let (count, all) = (asked.len(), self.derivatives_within(scene, asked, MOST_PIECES));
+        let (count, all) = (variations.len(), self.derivatives_within(scene, variations, MOST_PIECES));
         let left_out = beyond.len() + all.as_ref().map_or(0, |all| count - all.len());
         (all.unwrap_or_default(), left_out)
     }
 
     /// The derivatives of a general beam, up to the limit of work.
-    fn moved_derivatives(&self, scene: &Scene, asked: Vec<Asked>) -> Vec<Derivative> {
+    fn moved_derivatives(&self, scene: &Scene, variations: Vec<Variation>) -> Vec<Derivative> {
         let lies = self.lies_without_load();
         if !self.solved || self.state.standing.is_some_and(|standing| standing.motion.is_some()) {
             return Vec::new();
         }
         let parts = self.springs.as_ref().map_or(self.given.cells.len(), Springs::unknowns);
         let most = MOST_PIECES / (moved::ANSWERS * (parts + OF_A_NODE * self.list.nodes.len() + 1));
-        asked.into_iter().take(most).map(|asked| self.moved_derivative(scene, asked, lies)).collect()
+        variations.into_iter().take(most).map(|variation| self.moved_derivative(scene, variation, lies)).collect()
     }
 
     /// The requested derivatives, as far as their neighbouring answers have no more than this number of pieces; [`None`] if the beam can
     /// rotate.
-    fn derivatives_within(&self, scene: &Scene, asked: Vec<Asked>, pieces: usize) -> Option<Vec<Derivative>> {
+    fn derivatives_within(&self, scene: &Scene, variations: Vec<Variation>, pieces: usize) -> Option<Vec<Derivative>> {
         let linear = self.sensitivity()?;
         let leeway = Leeway::of(self, scene);
         // A contact that touches without a load may also not touch.
         let lies = self.lies_without_load();
         let mut answers = pieces / (self.given.cells.len() + OF_A_NODE * self.list.nodes.len());
-        let of = |asked: Asked| {
-            let changes = linear.on_both_sides(asked.change);
+        let of = |variation: Variation| {
+            let changes = linear.on_both_sides(variation.change);
             let holds = match &leeway {
-                _ if lies || asked.moves_at_zone(self) => [false; 2],
-                Some(leeway) if asked.goes_on(leeway, &changes) => [true; 2],
+                _ if lies || variation.moves_at_zone(self) => [false; 2],
+                Some(leeway) if variation.is_certain_to_continue(leeway, &changes) => [true; 2],
                 _ => {
                     answers = answers.checked_sub(2)?;
-                    asked.sides(scene, self)
+                    variation.continues_beside(scene, self)
                 }
             };
-            Some(self.derivative(&linear, asked, &changes, holds))
+            Some(self.derivative(&linear, variation, &changes, holds))
         };
-        Some(asked.into_iter().filter_map(of).collect())
+        Some(variations.into_iter().filter_map(of).collect())
     }
 
     /// The derivatives to be computed, within [`MOST_NUMBERS`], and the omitted ones.
-    fn computed_and_left_out(&self, scene: &Scene) -> [Vec<Asked>; 2] {
+    fn computed_and_left_out(&self, scene: &Scene) -> [Vec<Variation>; 2] {
         let unknowns = self.springs.as_ref().map_or(0, Springs::unknowns);
         let most = MOST_NUMBERS / (unknowns + self.state.supports.len() + 5 * self.state.contacts.len() + 1);
-        let mut asked = self.asked(scene);
+        let mut variations = self.variations(scene);
         if !self.is_linear() {
-            asked.extend(self.asked_besides(scene));
+            variations.extend(self.variations_of_general_beam(scene));
         }
-        asked.extend(Self::asked_of_steps(scene));
-        let left_out = asked.split_off(most.min(asked.len()));
-        [asked, left_out]
+        variations.extend(Self::variations_of_foundation_steps(scene));
+        let left_out = variations.split_off(most.min(variations.len()));
+        [variations, left_out]
     }
 
     /// Whether the beam is uniform, has no axial force and no elastic supports. Derivatives of other beams are computed in another way.
     fn is_linear(&self) -> bool {
-        self.given.divisions.is_empty() && self.given.tension == 0.0 && self.given.is_firm()
+        self.given.is_undivided() && self.given.tension == 0.0 && self.given.is_firm()
     }
 
     pub(super) fn sensitivity(&self) -> Option<Sensitivity<'_>> {
@@ -202,14 +202,14 @@ impl Exact {
     pub(super) fn derivative(
         &self,
         linear: &Sensitivity<'_>,
-        asked: Asked,
+        variation: Variation,
         sides: &[Vec<NodeChange>; 2],
         holds: [bool; 2],
     ) -> Derivative {
-        let Asked { by, unit, .. } = asked;
+        let Variation { by, unit, .. } = variation;
         let nodes = &self.list.nodes;
         let side = usize::from(holds != [true, false]);
-        let (of, towards, changes) = (asked.change[side], [-1.0, 1.0][side], &sides[side]);
+        let (of, towards, changes) = (variation.change[side], [-1.0, 1.0][side], &sides[side]);
         // The same contacts can continue differently on both sides: a load at the end of a zone enters the zone, or leaves it.
         let one_sided = holds != [true; 2] || sides[0] != sides[1];
         let scaled = Scaled { exact: self, of, unit, towards };
@@ -229,7 +229,7 @@ impl Exact {
                     end_forces: None,
                 });
             } else if support.is_some() {
-                supports.push((node.x, scaled.force(|| self.exerted(i), changes[i].force)));
+                supports.push((node.x, scaled.force(|| self.node_force(i), changes[i].force)));
             }
         }
         // The beam stays clear of a support from which it has lifted off.
@@ -239,7 +239,7 @@ impl Exact {
         supports.sort_by(|a, b| a.0.total_cmp(&b.0));
         let supports = supports.into_iter().map(|(_, force)| force).collect();
         let (contacts, contact_force) = self.of_pressing(&contacts);
-        let energy = self.energy_by(of, changes) * self.stiffness * self.scale.energy() / unit + 0.0;
+        let energy = self.energy_by(of, changes) * self.units.energy() / unit + 0.0;
         let is_known = contacts.iter().all(|contact| contact.from.is_finite() && contact.to.is_finite());
         let there = Derivative {
             by,
@@ -268,31 +268,31 @@ impl Exact {
     }
 
     /// The force of the support at node `i`, over `EI`; for a bilateral support including the load directly on it.
-    pub(super) fn exerted(&self, i: usize) -> f64 {
+    pub(super) fn node_force(&self, i: usize) -> f64 {
         self.forces[i] + self.list.nodes[i].support(&self.given).map_or(0.0, |_| standing(&self.given, &self.list, i))
     }
 
     /// The derivative of `J / EI`; for the stiffness, the derivative of `J` with respect to the logarithm of `EI`, over `EI`.
     fn energy_by(&self, of: Change, changes: &[NodeChange]) -> f64 {
-        let (given, scale) = (&self.given, &self.scale);
-        let deflection = |at: f64| self.deflection(at * scale.length) / scale.depth;
+        let (given, units) = (&self.given, &self.units);
+        let deflection = |at: f64| self.deflection(at * units.length) / units.depth;
         match of {
             // The energy of a part of the foundation is not requested here, and a rigid foundation has no stiffness.
             Change::GroundUnder(..) | Change::Stiffen => 0.0,
             Change::Ground => {
-                let contact = self.state.contact_force() / (self.stiffness * scale.force);
+                let contact = self.state.contact_force() / units.force;
                 -contact
             }
             Change::Unload => self.integral(|[_, _, v2, _]| 0.5 * v2 * v2),
             Change::Uniform(q) => -q * self.integral(|[v, ..]| v),
             Change::Force(at, p) => -p * deflection(at),
-            Change::Move(at, p) => -p * self.slope(at * scale.length) * scale.length / scale.depth,
+            Change::Move(at, p) => -p * self.slope(at * units.length) / units.slope(),
             Change::Level(index) | Change::Support(index, _) => {
                 let is_here = |node: &Node| node.any_support(given) == Some(index);
                 let Some(i) = self.list.nodes.iter().position(is_here) else { return 0.0 };
-                let force = self.exerted(i);
+                let force = self.node_force(i);
                 let held = self.list.nodes[i].held_slope(given).is_some() && matches!(of, Change::Support(..));
-                let bends = self.bends(i);
+                let bends = self.curvatures_beside(i);
                 // Where the beam is built in, the ends of its two parts move and rotate.
                 let [left, right] = changes[i].slopes;
                 let turned = if held {
@@ -329,13 +329,13 @@ struct Scaled<'a> {
 
 impl Scaled<'_> {
     fn place(&self, change: f64) -> f64 {
-        change * self.exact.scale.length / self.unit
+        change * self.exact.units.length / self.unit
     }
 
     /// Forces are computed here over `EI`, so a force also changes in proportion to `EI` itself.
     fn force(&self, now: impl FnOnce() -> f64, change: f64) -> f64 {
         let own = if self.of == Change::Unload { now() } else { 0.0 };
-        (own + change) * self.exact.stiffness * self.exact.scale.force / self.unit + 0.0
+        (own + change) * self.exact.units.force / self.unit + 0.0
     }
 
     /// The derivatives of the zone before node `i`.

@@ -65,11 +65,11 @@ pub(super) fn between(
     let tips = [0, 1].map(|side| is_free[side].then(|| tip(given, &way, side)));
     let (mut spans, _) = chained(given, [a, b], divisions, &way, ([0, 1].map(place), tips))?;
     if let Some(first) = spans.first_mut() {
-        way.know(0, &mut first.at_a, &mut first.beam_a);
+        way.set_known(0, &mut first.at_a, &mut first.beam_a);
     }
     // A joint at the right end makes the slope before it unknown.
     if let Some(last) = spans.last_mut().filter(|_| joint_at_end == 0.0) {
-        way.know(1, &mut last.at_b, &mut last.beam_b);
+        way.set_known(1, &mut last.at_b, &mut last.beam_b);
     }
     Some(spans)
 }
@@ -151,7 +151,7 @@ fn sprung(given: &PiecewiseScene, nodes: [Option<End>; 2], joint_at_end: f64) ->
     let overhangs = [true, false].map(|left| Overhang::of(given, ends[usize::from(!left)].x, left));
     let hangs = [0, 1].map(|side| nodes[side].is_none());
     // Beyond a hinge no moment can be carried.
-    let is_hinged = |side: usize| hangs[side] && given.breakpoints[outermost[side]].joint.is_infinite();
+    let is_hinged = |side: usize| hangs[side] && given.breakpoints[outermost[side]].is_hinge();
     if is_hinged(0) || is_hinged(1) {
         return None;
     }
@@ -262,11 +262,9 @@ pub(super) fn overhang(given: &PiecewiseScene, held: End, slope: f64, at_left: b
     if !spans.is_empty() {
         if at_left { last.b.hold = EndCondition::Within } else { last.a.hold = EndCondition::Within }
     }
-    for span in &mut spans {
-        for end in [&mut span.a, &mut span.b] {
-            if matches!(end.hold, EndCondition::Hinge { .. }) && end.x.total_cmp(&held.x).is_ne() {
-                end.hold = EndCondition::Within;
-            }
+    for end in spans.iter_mut().flat_map(|span| [&mut span.a, &mut span.b]) {
+        if matches!(end.hold, EndCondition::Hinge { .. }) && end.x.total_cmp(&held.x).is_ne() {
+            end.hold = EndCondition::Within;
         }
     }
     spans.push(last);

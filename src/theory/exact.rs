@@ -49,8 +49,8 @@ pub struct Exact {
     pub(super) pieces: Vec<Piece>,
     /// The answer on an elastic foundation, which has neither a list nor pieces.
     pub(super) springs: Option<Springs>,
-    pub(super) scale: Scale,
-    pub(super) stiffness: f64,
+    /// With loads, forces, moments and energies over the least `EI`.
+    pub(super) units: Scale,
 }
 
 impl Exact {
@@ -61,16 +61,16 @@ impl Exact {
     }
 
     /// The answer in the units of the scene, from the result of the search.
-    pub(super) fn new(given: PiecewiseScene, found: Candidate, scale: Scale, stiffness: f64) -> Self {
-        let state = summary::state(&given, &found, stiffness).in_units_of(&scale);
+    pub(super) fn new(given: PiecewiseScene, found: Candidate, units: Scale) -> Self {
+        let state = summary::state(&given, &found).in_units_of(&units);
         let overflow = (!state.is_finite()).then_some(Violation::Overflow);
         let solved = found.solved() && overflow.is_none();
         let nothing = found.checked.nothing();
         let Candidate { list, checked, steps, lists, samples, converged } = found;
-        let faults = checked.faults.iter().map(|(_, fault)| fault.in_units(&scale, stiffness));
+        let faults = checked.faults.iter().map(|(_, fault)| fault.in_units_of(&units));
         let violations = faults.chain(overflow).collect();
         let support_couples =
-            [0.0, given.length].map(|end| couple(&given, &list, &checked.moments, end) * stiffness * scale.moment());
+            [0.0, given.length].map(|end| couple(&given, &list, &checked.moments, end) * units.moment());
         let exact = Self {
             listed: state.contacts.clone(),
             idle: Vec::new(),
@@ -90,8 +90,7 @@ impl Exact {
             forces: checked.forces,
             list,
             given,
-            scale,
-            stiffness,
+            units,
         };
         // An answer that is not a solution shows all forces of its list, including tensile ones.
         if solved { exact.with_touches(&nothing) } else { exact }
@@ -99,7 +98,7 @@ impl Exact {
 
     /// Adds what the supports leave undetermined: `balance` in the units of the scene, `slopes` dimensionless.
     pub(super) fn balanced(mut self, balance: Balance, slopes: Option<[f64; 2]>) -> Self {
-        let unit = self.scale.depth / self.scale.length;
+        let unit = self.units.slope();
         let motion = match balance {
             Balance::Neutral { about, .. } => {
                 let slope = |slope: f64| slope.is_finite().then_some(slope * unit);
@@ -114,13 +113,13 @@ impl Exact {
     /// Deflection `v(x)`, positive downwards \[length\].
     #[must_use]
     pub fn deflection(&self, x: f64) -> f64 {
-        self.beam(x, true)[0] * self.scale.depth
+        self.beam(x, true)[0] * self.units.depth
     }
 
     /// Slope `v'(x)`.
     #[must_use]
     pub fn slope(&self, x: f64) -> f64 {
-        self.beam(x, true)[1] * self.scale.depth / self.scale.length
+        self.beam(x, true)[1] * self.units.slope()
     }
 
     /// Bending moment `M(x) = −EI v''` \[force · length\].
@@ -133,30 +132,30 @@ impl Exact {
     /// Bending moments just left and just right of `x`: they differ where a support fixes the slope or a couple acts.
     pub(crate) fn moments(&self, x: f64) -> [f64; 2] {
         // Adding zero turns −0.0 into 0.0.
-        [false, true].map(|right| -self.beam(x, right)[2] * self.stiffness * self.scale.moment() + 0.0)
+        [false, true].map(|right| -self.beam(x, right)[2] * self.units.moment() + 0.0)
     }
 
     /// Shear force `V(x) = M'`, just left and just right of `x` \[force\].
     #[must_use]
     pub fn shear(&self, x: f64) -> [f64; 2] {
-        [false, true].map(|right| -self.beam(x, right)[3] * self.stiffness * self.scale.force + 0.0)
+        [false, true].map(|right| -self.beam(x, right)[3] * self.units.force + 0.0)
     }
 
     /// Clearance `h = g − v` \[length\]; at a step the smaller value. Above a rigid compression-only support it is the distance to the
     /// support; without a foundation also above an elastic one. Infinite where there is nothing to touch.
     #[must_use]
     pub fn clearance(&self, x: f64) -> f64 {
-        let bearing = self.given.breakpoint_at(x / self.scale.length).filter(|&i| self.given.is_bearing(i));
+        let bearing = self.given.breakpoint_at(x / self.units.length).filter(|&i| self.given.is_bearing(i));
         if let Some(bearing) = bearing {
-            return (self.given.breakpoints[bearing].depth - self.beam(x, true)[0]) * self.scale.depth;
+            return (self.given.breakpoints[bearing].depth - self.beam(x, true)[0]) * self.units.depth;
         }
         if !self.given.founded {
-            let stop = self.given.breakpoint_at(x / self.scale.length).and_then(|i| self.given.stop_at(i));
-            return stop.map_or(f64::INFINITY, |stop| (stop.level - self.beam(x, true)[0]) * self.scale.depth);
+            let stop = self.given.breakpoint_at(x / self.units.length).and_then(|i| self.given.stop_at(i));
+            return stop.map_or(f64::INFINITY, |stop| (stop.level - self.beam(x, true)[0]) * self.units.depth);
         }
         let [left, right] = [false, true].map(|right| {
             if let Some(springs) = &self.springs {
-                let x = x / self.scale.length;
+                let x = x / self.units.length;
                 let part = springs.part(x, right);
                 return if 0.0 < part.ground { -part.sunk(x)[0] } else { f64::INFINITY };
             }
@@ -168,20 +167,20 @@ impl Exact {
             part.clearance(&self.given, &mut taylor);
             derivatives(&taylor, place - part.anchor)[0]
         });
-        left.min(right) * self.scale.depth
+        left.min(right) * self.units.depth
     }
 
     /// Contact pressure `p = q − EI u''''` inside a zone, without concentrated forces; zero outside \[force / length\].
     #[must_use]
     pub fn pressure(&self, x: f64) -> f64 {
         if let Some(springs) = &self.springs {
-            return springs.pressure(x / self.scale.length) * self.stiffness * self.scale.force / self.scale.length;
+            return springs.pressure(x / self.units.length) * self.units.pressure();
         }
         let (piece, at) = self.piece(x, true);
         if piece.state.is_some() || !self.given.founded {
             return 0.0;
         }
-        -self.given.drive(piece.cell, at) * self.stiffness * self.scale.force / self.scale.length
+        -self.given.drive(piece.cell, at) * self.units.pressure()
     }
 
     /// Concentrated contact forces inside zones, under point loads and over elastic supports: `(position, force)`, upwards \[length,
@@ -193,7 +192,7 @@ impl Exact {
             .forces()
             .map(|j| (j.x, j.acts.force()))
             .chain(self.given.springs_in_zone(0.0, self.given.length).map(|(x, force)| (x, -force)))
-            .map(|(x, force)| (x * self.scale.length, force * self.stiffness * self.scale.force))
+            .map(|(x, force)| (x * self.units.length, force * self.units.force))
             .filter(move |&(x, _)| inside(x))
     }
 
@@ -202,7 +201,7 @@ impl Exact {
     pub(crate) fn held(&self) -> Vec<(f64, bool)> {
         let held = |node: &Node| match node.slope {
             Slope::OfGround { from_the_left } => {
-                node.support(&self.given).map(|_| (node.x * self.scale.length, from_the_left))
+                node.support(&self.given).map(|_| (node.x * self.units.length, from_the_left))
             }
             Slope::Free(_) => None,
         };
@@ -216,7 +215,7 @@ impl Exact {
 
     /// The deflection by parts in other units, which are powers of two; empty on an elastic foundation.
     pub(crate) fn curve(&self, to: &Scale) -> Vec<Hung> {
-        let [along, deep] = [self.scale.length / to.length, self.scale.depth / to.depth];
+        let [along, deep] = [self.units.length / to.length, self.units.depth / to.depth];
         let mut taylor = vec![0.0; self.given.terms];
         let of = |piece: &Piece| {
             piece.deflection(&self.given, &mut taylor);
@@ -251,7 +250,7 @@ impl Exact {
 
     /// The piece at `x`, at a boundary the left or the right one, and the dimensionless position on it.
     fn piece(&self, x: f64, right: bool) -> (&Piece, f64) {
-        let x = x / self.scale.length;
+        let x = x / self.units.length;
         let i =
             if right { self.pieces.partition_point(|p| p.hi <= x) } else { self.pieces.partition_point(|p| p.hi < x) };
         let piece = &self.pieces[i.min(self.pieces.len() - 1)];
@@ -261,14 +260,12 @@ impl Exact {
     /// `v, v', e v'', e v'''` at `x`, dimensionless.
     fn beam(&self, x: f64, right: bool) -> [f64; 4] {
         if let Some(springs) = &self.springs {
-            return springs.part(x / self.scale.length, right).beam(x / self.scale.length);
+            return springs.part(x / self.units.length, right).beam(x / self.units.length);
         }
         let (piece, place) = self.piece(x, right);
         let mut taylor = vec![0.0; self.given.terms];
         piece.deflection(&self.given, &mut taylor);
-        let [v, v1, v2, v3] = derivatives(&taylor, place - piece.anchor);
-        let e = piece.stiffness(&self.given);
-        [v, v1, v2 * e, v3 * e]
+        piece.beam(&self.given, &taylor, place - piece.anchor)
     }
 }
 
@@ -308,7 +305,7 @@ impl Exact {
         let mut samples = Vec::new();
         for x in self.places(scene, intervals) {
             let ([left, right], [bent_left, bent_right]) = (self.shear(x), self.moments(x));
-            let turn = self.scale.depth / self.scale.length;
+            let turn = self.units.slope();
             let sample = |pressure, moment, shear, right| Sample {
                 x,
                 deflection: self.deflection(x),
@@ -341,7 +338,7 @@ impl Exact {
         let length = scene.beam().length();
         let even = (0..=intervals).map(|i| length * f64::from(i) / f64::from(intervals));
         let mut places: Vec<f64> = even.collect();
-        places.extend(self.springs.iter().flat_map(Springs::places).map(|x| x * self.scale.length));
+        places.extend(self.springs.iter().flat_map(Springs::places).map(|x| x * self.units.length));
         places.extend(self.state.contacts.iter().flat_map(|c| [c.from, c.to]));
         places.extend(scene.load().places(length));
         places.extend(scene.beam().joints().iter().map(|joint| joint.at));

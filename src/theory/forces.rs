@@ -53,7 +53,7 @@ pub(super) fn forces(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)
 fn add_turns(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], forces: &mut [f64]) {
     for (i, (node, force)) in list.nodes.iter().zip(forces).enumerate() {
         let is_end = node.x <= 0.0 || given.length <= node.x;
-        if !is_end && !node.breakpoint.is_some_and(|at| given.breakpoints[at].joint != 0.0) {
+        if !is_end && !node.breakpoint.is_some_and(|at| given.breakpoints[at].is_jointed()) {
             continue;
         }
         let [before, behind] = ends(spans, i);

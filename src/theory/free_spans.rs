@@ -55,7 +55,7 @@ impl Exact {
         if !self.given.founded {
             return None;
         }
-        let Scale { length, depth, .. } = self.scale;
+        let Scale { length, depth, .. } = self.units;
         if let Some(springs) = &self.springs {
             let extremes = springs.clearance_extremes([from / length, to / length])?;
             return Some(extremes.in_units(depth, length));
@@ -67,18 +67,18 @@ impl Exact {
     /// The greatest and the least moment from `from` to `to`, each an end of the beam or of a contact \[force · length\].
     #[must_use]
     pub(crate) fn moment_extremes(&self, from: f64, to: f64) -> Extremes {
-        let Scale { length, .. } = self.scale;
+        let length = self.units.length;
         let bent = match &self.springs {
             Some(springs) => springs.bend_extremes([from / length, to / length]),
             None => summary::bend_extremes(&self.given, &self.pieces_between(from, to)),
         };
-        bent.in_units(self.stiffness * self.scale.moment(), length)
+        bent.in_units(self.units.moment(), length)
     }
 
     /// The pieces of the beam from `from` to `to`, in the units of the scene. A piece that extends beyond is replaced by its cells
     /// inside.
     fn pieces_between(&self, from: f64, to: f64) -> Vec<Piece> {
-        let [from, to] = [from, to].map(|x| x / self.scale.length);
+        let [from, to] = [from, to].map(|x| x / self.units.length);
         let inside = |piece: &Piece| {
             let middle = 0.5 * (piece.lo + piece.hi);
             from <= middle && middle <= to

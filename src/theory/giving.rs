@@ -39,7 +39,7 @@ pub(super) struct SpringState {
 }
 
 /// The state of each elastic support; `spans` are the spans of the list.
-pub(super) fn states(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Vec<SpringState> {
+pub(super) fn spring_states(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Vec<SpringState> {
     let most = |order: usize| {
         let ends = spans.iter().flat_map(|(_, span)| [span.beam_a[order], span.beam_b[order]]);
         ends.fold(0.0, |most: f64, value| most.max(value.abs()))
@@ -84,14 +84,14 @@ fn state(
     let jump = shears[1] - shears[0] + at.acts.force();
     let size = if touches { f64::INFINITY } else { shears[0].abs() + shears[1].abs() + at.acts.force().abs() };
     let size = if given.tension == 0.0 { size } else { size + (given.tension * slope).abs() };
-    let force = exerted(spring.stiffness, [v, spring.level], jump, [most[0], size]);
+    let force = spring_force(spring.stiffness, [v, spring.level], jump, [most[0], size]);
     let couple = spring.turning.map_or(0.0, |[k, without]| {
         let jump = moments[1] - moments[0] + at.acts.couple();
         let size = moments[0].abs() + moments[1].abs() + at.acts.couple().abs();
         match node {
             // This includes the low-order part of a free slope.
             Some(node) => at.acts.couple() - nodes[node].couple(given),
-            None => exerted(-k, [slope, without], jump, [most[1], if zone { f64::INFINITY } else { size }]),
+            None => spring_force(-k, [slope, without], jump, [most[1], if zone { f64::INFINITY } else { size }]),
         }
     });
     SpringState { force, couple, moments }
@@ -99,19 +99,19 @@ fn state(
 
 /// The vertical forces `V + N v'` next to a breakpoint, zero beyond the ends of the beam; without `N v'` where the slope is continuous.
 fn vertical(given: &PiecewiseScene, at: &Breakpoint, sides: [Option<[f64; 4]>; 2]) -> [f64; 2] {
-    let turns = given.tension != 0.0 && (at.x <= 0.0 || given.length <= at.x || at.joint != 0.0);
+    let turns = given.tension != 0.0 && (at.x <= 0.0 || given.length <= at.x || at.is_jointed());
     sides.map(|side| side.map_or(0.0, |beam| if turns { given.tension * beam[1] - beam[3] } else { -beam[3] }))
 }
 
 /// The force of a spring, from its displacement or from the jump of the shear force. The displacement of a stiff spring has no digits,
 /// nor has the jump at a soft one, which is the difference of numbers of this `size`. Rounding of the displacement is a share of
 /// `most`.
-pub(super) fn exerted(k: f64, [given, without]: [f64; 2], jump: f64, [most, size]: [f64; 2]) -> f64 {
+pub(super) fn spring_force(k: f64, [given, without]: [f64; 2], jump: f64, [most, size]: [f64; 2]) -> f64 {
     if k.abs() * (most + without.abs()) <= size { k * (given - without) } else { jump }
 }
 
 /// The compression-only springs that would be in tension, and the inactive ones that the beam would penetrate, each with its index.
-pub(super) fn wrong(given: &PiecewiseScene, checked: &Check) -> Vec<(usize, Violation)> {
+pub(super) fn faults_of_springs(given: &PiecewiseScene, checked: &Check) -> Vec<(usize, Violation)> {
     let (nothing, force) = (checked.nothing().depth, checked.largest_force());
     let fault = |(i, spring): (usize, &AtSpring)| {
         let x = given.breakpoints[spring.breakpoint].x;
@@ -162,7 +162,7 @@ pub(super) fn search_with(
             samples: found.samples + work[2],
             ..found
         };
-        let wrong = wrong(&here, &found.checked);
+        let wrong = faults_of_springs(&here, &found.checked);
         left -= 1;
         if wrong.is_empty() || left == 0 || !sets.next(&mut acts, &wrong, found.solved()) {
             return Ok((here, found.with(wrong)));
@@ -222,7 +222,7 @@ impl Exact {
 
     /// Position of breakpoint `i` \[length\].
     pub(super) fn place(&self, i: usize) -> f64 {
-        self.given.breakpoints[i].x * self.scale.length
+        self.given.breakpoints[i].x * self.units.length
     }
 
     /// For each elastic support its force and the jump of the moment that it causes \[force, force · length\].

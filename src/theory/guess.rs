@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use super::chain::{Chain, ChainSample, Guess};
 use super::list::{List, Node};
-use super::normal::{edge_node, merged};
+use super::normal::{edge_node, normal_form};
 use super::piecewise::PiecewiseScene;
 use super::pull::zones_between;
 
@@ -203,7 +203,7 @@ impl Samples {
                 samples[i].load += given.breakpoints[self.cell[i]].acts.force();
                 samples[i].bend += given.breakpoints[self.cell[i]].kink;
             }
-            let [start, end] = given.turns([a, b], [self.cell[i], last], !self.far[i]);
+            let [start, end] = given.rotations_to_chord([a, b], [self.cell[i], last], !self.far[i]);
             let mut add = |start: f64, end: f64| {
                 samples[i].bend += start;
                 samples[i + 1].bend += end;
@@ -288,7 +288,7 @@ impl Samples {
             // A single touching joint is an edge; within a contact on a level foundation it has no effect.
             let beside = |j: Option<usize>| j.and_then(|j| guess.touches.get(j)).is_some_and(|touches| *touches);
             let alone = !(beside(i.checked_sub(1)) && beside(Some(i + 1)));
-            let breaks = |b: usize| breaks(b) || given.breakpoints[b].joint != 0.0 && alone;
+            let breaks = |b: usize| breaks(b) || given.breakpoints[b].is_jointed() && alone;
             let at_break = breakpoint.filter(|&breakpoint| breaks(breakpoint));
             if touches && at_break.is_none() {
                 first.get_or_insert(i);
@@ -304,7 +304,7 @@ impl Samples {
                 builder.nodes.push(edge_node(given, breakpoint));
             }
         }
-        merged(given, &builder.nodes)
+        normal_form(given, &builder.nodes)
     }
 }
 

@@ -78,7 +78,7 @@ impl<'a> Leeway<'a> {
     /// The margins of an answer of `scene`. [`None`] if a second answer is always needed: for an answer that is not solved, for a beam
     /// with an initial shape or on an elastic foundation, and close to overturning.
     pub(super) fn of(exact: &'a Exact, scene: &Scene) -> Option<Self> {
-        let (given, scale) = (&exact.given, &exact.scale);
+        let (given, units) = (&exact.given, &exact.units);
         let stands = exact.state.standing.is_none_or(|standing| standing.motion.is_none() && STANDS <= standing.margin);
         if !exact.solved || exact.springs.is_some() || !stands || scene.beam().shape().is_some() {
             return None;
@@ -90,29 +90,28 @@ impl<'a> Leeway<'a> {
         let mut pressing: Vec<usize> = exact.list.nodes.iter().filter_map(|node| node.breakpoint).collect();
         pressing.sort_unstable();
         let lifted = |&i: &usize| {
-            let at = given.breakpoints[i].x * scale.length;
-            let clearance = given.breakpoints[i].depth - exact.deflection(at) / scale.depth;
-            pressing.binary_search(&i).is_err().then(|| [clearance, exact.slope(at) * scale.length / scale.depth])
+            let at = given.breakpoints[i].x * units.length;
+            let clearance = given.breakpoints[i].depth - exact.deflection(at) / units.depth;
+            pressing.binary_search(&i).is_err().then(|| [clearance, exact.slope(at) / units.slope()])
         };
         let forces = exact.state.supports.iter().map(|support| support.force.abs());
         let contacts =
             exact.listed.iter().flat_map(|c| [c.force.abs()].into_iter().chain(c.end_forces.unwrap_or_default()));
-        let stiffness = exact.stiffness;
         Some(Self {
             exact,
             kinds: exact.list.nodes.iter().map(|node| Kind::of(given, node)).collect(),
             spans: exact.spans.iter().map(|(node, span)| Free::of(exact, *node, span)).collect(),
             places,
             lifted: given.bearings.iter().map(lifted).collect(),
-            deflection: exact.state.deflection.magnitude() / scale.depth,
-            moment: exact.state.moment.magnitude() / (stiffness * scale.moment()),
-            force: forces.chain(contacts).fold(0.0, f64::max) / (stiffness * scale.force),
+            deflection: exact.state.deflection.magnitude() / units.depth,
+            moment: exact.state.moment.magnitude() / units.moment(),
+            force: forces.chain(contacts).fold(0.0, f64::max) / units.force,
         })
     }
 
     /// Whether the contacts of the answer are certain to remain, with changes of forces up to `near` of the largest, when a number
     /// changes by `step` to either side; `changes` are the changes of the nodes per unit of the number.
-    pub(super) fn holds(&self, of: Change, changes: &[NodeChange], step: f64, near: f64) -> bool {
+    pub(super) fn contacts_remain(&self, of: Change, changes: &[NodeChange], step: f64, near: f64) -> bool {
         self.has_room(of, step)
             && changes.iter().enumerate().all(|(i, change)| {
                 SAFE * (change.force * step).abs() <= near * self.force && self.node_holds(of, i, change, step)
@@ -249,11 +248,13 @@ mod tests {
         let exact = theory::solve(scene).expect("an answer");
         assert!(exact.solved, "{:?}", exact.violations);
         let (leeway, linear) = (Leeway::of(&exact, scene).expect("held"), exact.sensitivity().expect("held"));
-        let all = exact.asked(scene);
-        let of = |asked: &&super::super::asked::Asked| asked.goes_on(&leeway, &linear.on_both_sides(asked.change));
+        let all = exact.variations(scene);
+        let of = |variation: &&super::super::variation::Variation| {
+            variation.is_certain_to_continue(&leeway, &linear.on_both_sides(variation.change))
+        };
         let decided: Vec<_> = all.iter().filter(of).collect();
-        for asked in &decided {
-            assert_eq!(asked.sides(scene, &exact), [true; 2], "{asked:?}");
+        for variation in &decided {
+            assert_eq!(variation.continues_beside(scene, &exact), [true; 2], "{variation:?}");
         }
         (decided.len(), all.len() - decided.len())
     }

@@ -114,7 +114,7 @@ impl List {
     }
 
     /// On which sides of node `i` the foundation fixes the slope of the beam.
-    pub(super) fn rests(&self, i: usize) -> [bool; 2] {
+    pub(super) fn follows_foundation(&self, i: usize) -> [bool; 2] {
         let held = |left: bool| self.nodes[i].slope == Slope::OfGround { from_the_left: left };
         [self.in_zone_before(i) || held(true), self.in_zone_before(i + 1) || held(false)]
     }
@@ -320,7 +320,7 @@ impl Node {
         if self.slope == (Slope::OfGround { from_the_left: !on_the_right }) {
             return EndCondition::Resting;
         }
-        if self.is_tip(given) && given.breakpoints[breakpoint].joint.is_infinite() {
+        if self.is_tip(given) && given.breakpoints[breakpoint].is_hinge() {
             // Next to a zone the span rotates freely in the hinge.
             return EndCondition::Hinge { height: 0.0, level: given.breakpoints[breakpoint].depth, curvature: 0.0 };
         }

@@ -168,7 +168,7 @@ impl Condition {
             Condition::Couple(node) => {
                 let [left, right] = *moments(given, list, spans).get(node)?;
                 list.nodes.get(node)?.support(given)?;
-                Some(if list.rests(node)[1] { left - right } else { right - left })
+                Some(if list.follows_foundation(node)[1] { left - right } else { right - left })
             }
             Condition::Support(node, pulled) => {
                 let support = &given.supports[list.nodes.get(node)?.support(given)?];
@@ -256,7 +256,7 @@ mod tests {
             let scene = Scene::new(beam, load, Some(Foundation::Polyline { points })).expect("a scene");
             let exact = theory::solve(&scene).expect("an answer");
             let [(_, span)] = &exact.spans[..] else { panic!("{:?}", exact.state.contacts) };
-            let least = lowest(&exact.given, span).expect("above ground") * exact.scale.depth;
+            let least = lowest(&exact.given, span).expect("above ground") * exact.units.depth;
             let places = (1..1000).map(|i| exact.clearance(f64::from(i) / 100.0));
             let expected = places.fold(f64::INFINITY, f64::min);
             assert!(0.0 < expected && (least - expected).abs() <= 1e-12, "{least}, not {expected}");

@@ -15,7 +15,7 @@
 //! 6. `solve`, `exact`, `summary`, `touching`, `free_spans`: the answer in the units of the scene, where it touches without pressing, and
 //!    where it is free; `room`: whether there is enough memory for it.
 //! 7. `continuation`, `pattern`, `margin`: from the answer of one scene to the answer of a neighbour, and when its pattern changes.
-//! 8. `sensitivity`, `tridiagonal`, `asked`, `derivatives`, `changes`, `leeway`, `spread`: derivatives with respect to the numbers of the
+//! 8. `sensitivity`, `tridiagonal`, `variation`, `derivatives`, `changes`, `leeway`, `spread`: derivatives with respect to the numbers of the
 //!    scene, and where they are one-sided; `missing`: why a derivative does not exist.
 //! 9. `springs`: an elastic foundation, which needs no list; `tension`: a part of the beam under an axial force.
 //!
@@ -24,7 +24,6 @@
 //! **Invariant:** nothing here knows a grid, a method of discretisation or a solver of the quadratic program (32).
 
 mod acts;
-mod asked;
 mod bernstein;
 mod breakpoints;
 mod chain;
@@ -67,6 +66,7 @@ mod summary;
 mod tension;
 mod touching;
 mod tridiagonal;
+mod variation;
 mod violation;
 mod way;
 

@@ -150,12 +150,8 @@ fn equations(given: &PiecewiseScene, list: &List, each: impl FnOnce(&mut dyn FnM
 /// foundation jumps there too. The same holds at an outermost node, which moves only along the foundation or has no beam on its other
 /// side.
 fn side(given: &PiecewiseScene, list: &List, i: usize, at: &[f64; 4], beam: &[f64; 4]) -> f64 {
-    let changes = |breakpoint: usize| {
-        let [left, right] = given.cells_beside(breakpoint).map(|cell| given.cells[cell].stiffness);
-        left.total_cmp(&right).is_ne()
-    };
     let stands = || list.nodes[i].breakpoint.or_else(|| given.breakpoint_at(list.nodes[i].x));
-    let is_changed = !given.divisions.is_empty() && stands().is_some_and(changes);
+    let is_changed = !given.is_undivided() && stands().is_some_and(|breakpoint| given.is_step(breakpoint));
     let is_outer = !list.nodes[i].can_move() && (i == 0 || i + 1 == list.nodes.len());
     if is_changed || is_outer { -beam[2] } else { at[2] }
 }

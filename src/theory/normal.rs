@@ -6,7 +6,7 @@ use crate::certificate::Slope;
 
 /// The list without invalid nodes: starts and ends of zones without their counterpart, and neighbours with no span between them.
 /// Supports remain.
-pub(super) fn merged(given: &PiecewiseScene, nodes: &[Node]) -> List {
+pub(super) fn normal_form(given: &PiecewiseScene, nodes: &[Node]) -> List {
     let mut normal = Normal {
         given,
         closed: 1e-11 * given.length,
@@ -29,11 +29,10 @@ pub(super) fn merged(given: &PiecewiseScene, nodes: &[Node]) -> List {
 
 /// Replaces the end of a zone by a hinge on a straight foundation if the two positions cannot be distinguished.
 fn at_hinge(given: &PiecewiseScene, node: Node, closed: f64) -> Node {
-    if given.divisions.is_empty() || !node.is_of_zone() {
+    if given.is_undivided() || !node.is_of_zone() {
         return node;
     }
-    let hinge = |i: &usize| given.breakpoints[*i].joint.is_infinite() && given.is_straight(*i) && !given.breaks_at(*i);
-    let beside = given.breakpoints_inside(node.x - closed, node.x + closed).find(hinge);
+    let beside = given.breakpoints_inside(node.x - closed, node.x + closed).find(|&i| given.is_hinge_on_a_line(i));
     beside.map_or(node, |i| Node::hinge_of_zone(given, i, node.starts_zone()))
 }
 
@@ -154,7 +153,8 @@ impl Normal<'_> {
 
     /// Adds a free end or a hinge: at the left end a zone starts, at the right end it ends.
     fn add_tip(&mut self, tip: Node) {
-        let is_hinge = tip.breakpoint.is_some_and(|i| self.given.breakpoints[i].joint != 0.0);
+        let is_hinge = tip.breakpoint.is_some_and(|i| self.given.breakpoints[i].is_jointed());
+        // Held by: theory::giving::random::random_beams_on_springs_and_stops
         if is_hinge && tip.lies && !self.inside {
             self.nodes.pop_if(|last| last.breakpoint == tip.breakpoint);
         }

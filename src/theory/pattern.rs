@@ -192,7 +192,7 @@ impl Exact {
         let given = &self.given;
         let at = |x: f64, place: f64| (x - place).abs() <= AT_ONE_PLACE * given.length;
         ContactKind::Zone([(contact.from, true), (contact.to, false)].map(|(x, right)| {
-            let x = x / self.scale.length;
+            let x = x / self.units.length;
             let support = given.supports.iter().position(|support| at(x, given.breakpoints[support.breakpoint].x));
             match support {
                 Some(index) => ZoneEnd::Support(index),
@@ -216,14 +216,13 @@ impl Exact {
             let [lo, hi] = [given.cells[cell].lo, given.cells[cell].hi].map(within);
             let places = [lo, 0.5 * (lo + hi), hi].into_iter();
             let most = places.fold(0.0, |most: f64, x| most.max(given.drive(cell, x).abs()));
-            (lo < hi && least < most * given.length * self.stiffness * self.scale.force).then_some([lo, hi])
+            (lo < hi && least < most * given.length * self.units.force).then_some([lo, hi])
         };
         let (first, last) = (given.cell_from(from), given.cell_to(to));
         let loads = given.breakpoints_inside(from, to).map(|i| &given.breakpoints[i]).filter(|b| b.acts.force() != 0.0);
         // At a support only the sum of contact force and reaction is unique.
         let ends = [i - 1, i].into_iter().filter(|&end| {
-            self.list.nodes[end].support(given).is_none()
-                && least < self.forces[end] * self.stiffness * self.scale.force
+            self.list.nodes[end].support(given).is_none() && least < self.forces[end] * self.units.force
         });
         let mut pieces: Vec<[f64; 2]> = (first..=last).filter_map(presses).collect();
         pieces.extend(loads.map(|breakpoint| [breakpoint.x; 2]));
@@ -251,7 +250,7 @@ impl Exact {
         if is_whole(&pieces) {
             return vec![(kind([from, to]), contact)];
         }
-        let piece = |ends: [f64; 2]| (kind(ends), self.part_of_zone(i, ends).in_units(&self.scale, self.stiffness));
+        let piece = |ends: [f64; 2]| (kind(ends), self.part_of_zone(i, ends).in_units_of(&self.units));
         pieces.into_iter().map(piece).collect()
     }
 
@@ -285,14 +284,14 @@ impl Exact {
         let [left, right] = [sides[0].map_or(0.0, |span| span.beam_b[2]), sides[1].map_or(0.0, |span| span.beam_a[2])];
         let lever = TOLERANCE * left.abs().max(right.abs()).max(rest * self.given.length);
         let couple = lever < (right - left).abs();
-        let rests = self.list.rests(i);
+        let rests = self.list.follows_foundation(i);
         [0, 1].map(|side| rests[side] && !self.list.in_zone_before(i + side) && couple)
     }
 
     /// The limit below which a force at node `i` has no reliable sign. It does not depend on forces elsewhere: a load of any size may act
     /// beyond a support. `rest` is [`Self::rest`].
     fn no_force(&self, i: usize, rest: f64) -> f64 {
-        TOLERANCE * force_beside(&self.spans, i).max(rest) * self.stiffness * self.scale.force
+        TOLERANCE * force_beside(&self.spans, i).max(rest) * self.units.force
     }
 
     /// The smallest scale of forces, over `EI`: next to a stretch without a load all forces may be zero.
@@ -304,12 +303,12 @@ impl Exact {
     fn load_on(&self, node: &Node) -> f64 {
         let support = node.support(&self.given).map(|index| &self.given.supports[index]);
         let load = support.map_or(0.0, |support| self.given.breakpoints[support.breakpoint].acts.force());
-        load.abs() * self.stiffness * self.scale.force
+        load.abs() * self.units.force
     }
 
     /// The crest of the profile on which a contact is.
     fn crest(&self, contact: &Contact) -> Crest {
-        let places = [contact.from, contact.to].map(|x| x / self.scale.length);
+        let places = [contact.from, contact.to].map(|x| x / self.units.length);
         let waves = |x: f64| {
             let waves = self.given.shapes[self.given.cells[self.given.cell_from(x)].shape].waves();
             let bends = |wave: &Wave| wave.amplitude.abs() * wave.number * wave.number;

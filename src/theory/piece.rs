@@ -62,8 +62,26 @@ impl Piece {
     }
 
     /// `e` on this piece.
-    pub(super) fn stiffness(&self, given: &PiecewiseScene) -> f64 {
+    fn stiffness(&self, given: &PiecewiseScene) -> f64 {
         given.cells[self.cell].stiffness
+    }
+
+    /// `v, v', e v'', e v'''` at `t` from the anchor, from the Taylor coefficients of `v`.
+    pub(super) fn beam(&self, given: &PiecewiseScene, taylor: &[f64], t: f64) -> [f64; 4] {
+        let ([v, v1, v2, v3], e) = (derivatives(taylor, t), self.stiffness(given));
+        [v, v1, v2 * e, v3 * e]
+    }
+
+    /// Converts the Taylor coefficients of `v` into those of `e v''`.
+    pub(super) fn bent<'a>(&self, given: &PiecewiseScene, taylor: &'a mut [f64]) -> &'a mut [f64] {
+        let bent = differentiated(differentiated(taylor));
+        bent.iter_mut().for_each(|c| *c *= self.stiffness(given));
+        bent
+    }
+
+    /// `½ e v''²`, the bending energy per length at a curvature.
+    pub(super) fn bending_energy(&self, given: &PiecewiseScene, curvature: f64) -> f64 {
+        0.5 * curvature * curvature * self.stiffness(given)
     }
 
     /// Taylor coefficients of the deflection `v` at the anchor.
@@ -160,9 +178,7 @@ impl Piece {
         let cell = self.nth(k);
         let x = given.breakpoints[at(k)].x;
         let taylor = beam_taylor(given, self.cell, self.anchor, &state.beam);
-        let e = self.stiffness(given);
-        let bent = |[v, v1, v2, v3]: [f64; 4]| [v, v1, v2 * e, v3 * e];
-        let beam = bent(derivatives(&taylor, x - self.anchor));
+        let beam = self.beam(given, &taylor, x - self.anchor);
         State { beam, clearance: difference(&given.derivatives(cell, x), &beam) }
     }
 
@@ -193,6 +209,13 @@ pub(super) fn derivatives(taylor: &[f64], t: f64) -> [f64; 4] {
         work[0] = work[0] * t + c;
     }
     [work[0], work[1], 2.0 * work[2], 6.0 * work[3]]
+}
+
+/// Coefficients of the derivative, in place.
+pub(super) fn differentiated(c: &mut [f64]) -> &mut [f64] {
+    #[expect(clippy::cast_precision_loss, reason = "a degree is a small number")]
+    c.iter_mut().enumerate().for_each(|(j, c)| *c *= j as f64);
+    c.get_mut(1..).unwrap_or_default()
 }
 
 /// Taylor coefficients of a beam under the load of `cell` at `x`.

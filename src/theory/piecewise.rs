@@ -13,6 +13,7 @@
 
 mod along;
 mod giving;
+mod joint;
 
 pub(super) use giving::AtSpring;
 
@@ -277,7 +278,7 @@ impl PiecewiseScene {
 
     /// The rotation of the profile from its slope at `a` to the chord from `a` to `b`, and from the chord to its slope at `b`. `a` and
     /// `b` are in cells `first` and `last`; at a step the higher side counts.
-    pub(super) fn turns(&self, [a, b]: [f64; 2], [first, last]: [usize; 2], even: bool) -> [f64; 2] {
+    pub(super) fn rotations_to_chord(&self, [a, b]: [f64; 2], [first, last]: [usize; 2], even: bool) -> [f64; 2] {
         let stepped = |breakpoint: usize, x: f64| {
             self.breakpoints[breakpoint].x.total_cmp(&x).is_eq()
                 && (self.breakpoints[breakpoint].step != 0.0 || self.is_bearing(breakpoint))
@@ -381,7 +382,8 @@ impl PiecewiseScene {
     /// foundation, a free end of the beam and a joint, which is a kink of the beam, count as well.
     pub(super) fn is_edge(&self, i: usize) -> bool {
         let corner = || self.breakpoints[i].step != 0.0 || 0.0 < self.breakpoints[i].kink;
-        let joint = self.breakpoints[i].joint != 0.0;
-        self.is_bearing(i) || self.founded && (self.is_free_end(i) || joint || self.breaks_at(i) && corner())
+        self.is_bearing(i)
+            || self.founded
+                && (self.is_free_end(i) || self.breakpoints[i].is_jointed() || self.breaks_at(i) && corner())
     }
 }

@@ -6,11 +6,11 @@
 //! that passes is checked once more closely ([`super::close`]).
 
 use super::check::{Check, check};
-use super::close::closer;
+use super::close::checked_closely;
 use super::guess::{LONG, Samples};
 use super::list::List;
 use super::newton;
-use super::normal::merged;
+use super::normal::normal_form;
 use super::piecewise::PiecewiseScene;
 use super::repair::repaired;
 use super::resting;
@@ -147,12 +147,8 @@ pub(super) fn search(given: &PiecewiseScene, near: impl Iterator<Item = List>) -
             break;
         }
     }
-    if !given.founded && !is_solved(&best) {
-        for list in resting::lists(given) {
-            if !is_solved(&best) {
-                best = with_repairs(given, list, ROUNDS, best, &mut places)?;
-            }
-        }
+    if !given.founded && given.supports.is_empty() && !is_solved(&best) {
+        best = with_repairs(given, resting::rigid_beam(given), ROUNDS, best, &mut places)?;
     }
     let found = match best {
         Some(found) if found.solved() || !is_long => found,
@@ -182,14 +178,14 @@ fn with_repairs(
     for _ in 0..rounds {
         room::for_contacts(given, list.nodes.len())?;
         let run = newton::solve(given, &mut list);
-        let normal = merged(given, &list.nodes);
+        let normal = normal_form(given, &list.nodes);
         // Without the invalid nodes the equations change, and Newton's method has not solved the new ones.
         let changed = normal != list;
         let checked = check(given, &normal);
         let converged = run.converged && !changed;
         let found = Candidate { list: normal, checked, steps: run.steps, lists: 1, samples: 0, converged };
         if found.solved() {
-            return Ok(Some(better(best, closer(given, found))));
+            return Ok(Some(better(best, checked_closely(given, found))));
         }
         // Faults of a list that was not solved mean nothing.
         list = match changed {

@@ -294,7 +294,7 @@ impl<'a> Sensitivity<'a> {
         if node.held_slope(given).is_some() {
             // w' = −(v'' + w0'') on either side; where the foundation fixes the slope, w' = g'' − v''.
             let support = &given.supports[index];
-            let held = given.cells_beside(support.breakpoint)[usize::from(!list.rests(i)[0])];
+            let held = given.cells_beside(support.breakpoint)[usize::from(!list.follows_foundation(i)[0])];
             let moved = moved.map(|bent| if support.built_in { bent } else { -given.derivative(held, node.x, 2) });
             let slopes = sides.map(|beam| beam.zip(moved).map_or(0.0, |(beam, bent)| -(beam[2] + bent)));
             return Ask { value, slopes: Some(slopes), jump: [0.0; 2] };

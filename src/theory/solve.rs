@@ -130,6 +130,6 @@ pub fn solve_near(scene: &Scene, near: &[&Exact]) -> Result<Exact, TheoryError> 
         let near = near.iter().filter_map(|near| near.list_in(given, &scaled.scale));
         search(given, list.cloned().into_iter().chain(near))
     })?;
-    let exact = Exact::new(given, found, scaled.scale, stiffness);
+    let exact = Exact::new(given, found, scaled.units_over_stiffness());
     Ok(exact.balanced(scaled.balance.in_units_of(&scaled.scale), slopes))
 }

@@ -145,7 +145,7 @@ impl Span {
                 at[i] = [way.heights[i], slope + way.incline, curvature, third];
                 beam[i] = difference(profile, &at[i]);
             }
-            way.know(i, &mut at[i], &mut beam[i]);
+            way.set_known(i, &mut at[i], &mut beam[i]);
         }
         let [at_a, at_b] = at;
         let [beam_a, beam_b] = beam;

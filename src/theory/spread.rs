@@ -1,9 +1,9 @@
 //! Estimated errors of the forces of an exact answer for given errors of the foundation depths, to first order from its derivatives.
 
-use super::asked::Asked;
 use super::derivatives::By;
 use super::exact::Exact;
 use super::sensitivity::Change;
+use super::variation::Variation;
 
 /// Estimated errors of forces: magnitudes \[force\].
 #[derive(Debug, Clone, PartialEq)]
@@ -40,8 +40,8 @@ impl Exact {
         let linear = self.sensitivity()?;
         stretches.into_iter().try_fold(none, |mut sum, (from, to)| {
             let of = Change::GroundUnder(from, to);
-            let asked = Asked { by: By::Depth, change: [of; 2], unit: self.scale.depth, least: 0.0 };
-            let derivative = self.derivative(&linear, asked, &linear.on_both_sides(asked.change), [true; 2]);
+            let variation = Variation { by: By::Depth, change: [of; 2], unit: self.units.depth, least: 0.0 };
+            let derivative = self.derivative(&linear, variation, &linear.on_both_sides(variation.change), [true; 2]);
             let add = |sum: &mut f64, by: f64| *sum += by.abs() * tolerance;
             sum.supports.iter_mut().zip(&derivative.supports).for_each(|(sum, &by)| add(sum, by));
             sum.contacts.iter_mut().zip(&derivative.contacts).for_each(|(sum, by)| add(sum, by.force));

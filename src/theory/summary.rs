@@ -5,17 +5,17 @@ use super::check::PLACE;
 use super::forces::zone_force;
 use super::list::List;
 use super::penetration::{by_blocks, clearance_range};
-use super::piece::{NEAR, Piece, derivatives};
+use super::piece::{NEAR, Piece, derivatives, differentiated};
 use super::piecewise::PiecewiseScene;
 use super::search::Candidate;
 use crate::state::{Contact, ContactState, Extremes, Reactions, Regime, SupportForce, larger_moment};
 
-/// The state of a beam with this least bending stiffness.
-pub(super) fn state(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -> ContactState {
+/// The state of a beam, with forces, moments and energy over the least `EI`.
+pub(super) fn state(given: &PiecewiseScene, found: &Candidate) -> ContactState {
     let pieces = &found.checked.pieces;
-    let (supports, contacts) = (supports(given, found, stiffness), contacts(given, found, stiffness));
+    let (supports, contacts) = (supports(given, found), contacts(given, found));
     let (deflection, Extremes { max, max_at, min, min_at }) = extremes(given, pieces);
-    let moment = |bent: f64| -bent * stiffness + 0.0;
+    let moment = |bent: f64| -bent + 0.0;
     ContactState {
         regime: Regime::of(&contacts),
         reactions: Reactions::of(&supports, given.length),
@@ -25,14 +25,14 @@ pub(super) fn state(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -
         touches: Vec::new(),
         deflection,
         moment: Extremes { max: moment(min), max_at: min_at, min: moment(max), min_at: max_at },
-        energy: (energy(given, pieces) + in_springs(given, found)) * stiffness,
+        energy: energy(given, pieces) + in_springs(given, found),
         pressure: None,
         nodes: None,
     }
 }
 
 /// The reactions from left to right, including compression-only supports.
-fn supports(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -> Vec<SupportForce> {
+fn supports(given: &PiecewiseScene, found: &Candidate) -> Vec<SupportForce> {
     let nodes = found.list.nodes.iter().zip(&found.checked.forces).zip(&found.checked.moments);
     let supports = nodes.filter_map(|((node, force), moments)| {
         let support = &given.supports[node.support(given)?];
@@ -42,23 +42,23 @@ fn supports(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -> Vec<Su
         let moment = larger_moment(*moments);
         Some(SupportForce {
             at: node.x,
-            force: (force + at.acts.force()) * stiffness,
-            moment: holds.then_some(moment * stiffness),
-            couple: if holds { (right - left + at.acts.couple()) * stiffness } else { 0.0 },
+            force: force + at.acts.force(),
+            moment: holds.then_some(moment),
+            couple: if holds { right - left + at.acts.couple() } else { 0.0 },
             pushes_only: false,
         })
     });
     let springs = given.springs.iter().zip(&found.checked.springs).map(|(spring, state)| SupportForce {
         at: given.breakpoints[spring.breakpoint].x,
-        force: state.force * stiffness + 0.0,
-        moment: spring.turning.map(|_| larger_moment(state.moments) * stiffness),
-        couple: state.couple * stiffness,
+        force: state.force + 0.0,
+        moment: spring.turning.map(|_| larger_moment(state.moments)),
+        couple: state.couple,
         pushes_only: spring.pushes_only,
     });
     let rests = |i: usize| found.list.nodes.iter().position(|node| node.is_edge(given) && node.breakpoint == Some(i));
     let bearings = given.bearings.iter().map(|&i| {
         let force = rests(i).map_or(0.0, |node| found.checked.forces[node]);
-        SupportForce::pushing(given.breakpoints[i].x, force * stiffness)
+        SupportForce::pushing(given.breakpoints[i].x, force)
     });
     let mut all: Vec<SupportForce> = supports.chain(bearings).chain(springs).collect();
     all.sort_by(|a, b| a.at.total_cmp(&b.at));
@@ -66,7 +66,7 @@ fn supports(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -> Vec<Su
 }
 
 /// The contacts from left to right.
-fn contacts(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -> Vec<Contact> {
+fn contacts(given: &PiecewiseScene, found: &Candidate) -> Vec<Contact> {
     let List { nodes, .. } = &found.list;
     let forces = &found.checked.forces;
     let mut contacts = Vec::new();
@@ -76,15 +76,15 @@ fn contacts(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -> Vec<Co
             // If foundation and support carry a force together, all of it is assigned to the support.
             let end = |i: usize| (place(i), if nodes[i].support(given).is_some() { 0.0 } else { forces[i] });
             let ((from, force_from), (to, force_to)) = (end(i - 1), end(i));
-            let force = (force_from + force_to + zone_force(given, from, to)) * stiffness;
+            let force = force_from + force_to + zone_force(given, from, to);
             // At the border of two regimes a zone has no length and is a point.
-            let end_forces = (from < to).then_some([force_from * stiffness, force_to * stiffness]);
+            let end_forces = (from < to).then_some([force_from, force_to]);
             contacts.push(Contact { from, to, force, end_forces });
         }
         if let Some(node) = nodes.get(i)
             && node.is_ground(given)
         {
-            contacts.push(Contact::at(place(i), forces[i] * stiffness));
+            contacts.push(Contact::at(place(i), forces[i]));
         }
     }
     contacts
@@ -106,7 +106,7 @@ fn energy(given: &PiecewiseScene, pieces: &[Piece]) -> f64 {
         // In distances from the anchor: in a short piece far from zero a position has fewer digits than its distance from the anchor.
         sum += given.energy_rule.integral(0.0, piece.width(), |s| {
             let [v, v1, v2, _] = derivatives(&taylor, s);
-            let bent = 0.5 * v2 * v2 * piece.stiffness(given) - given.load(piece.cell, piece.place(s)) * v;
+            let bent = piece.bending_energy(given, v2) - given.load(piece.cell, piece.place(s)) * v;
             if given.tension == 0.0 { bent } else { bent + 0.5 * given.tension * v1 * v1 }
         });
     }
@@ -118,14 +118,11 @@ fn energy(given: &PiecewiseScene, pieces: &[Piece]) -> f64 {
         sum -= breakpoint.acts.work([v, v1]);
     }
     // The energy of a joint is half of its rotation times its moment.
-    for joint in
-        given.divisions.iter().map(|&i| &given.breakpoints[i]).filter(|at| 0.0 < at.joint && at.joint.is_finite())
-    {
-        let i = pieces.partition_point(|p| p.hi < joint.x).min(pieces.len() - 1);
+    for (x, flexibility) in given.elastic_joints() {
+        let i = pieces.partition_point(|p| p.hi < x).min(pieces.len() - 1);
         pieces[i].deflection(given, &mut taylor);
-        let [_, _, v2, _] = derivatives(&taylor, joint.x - pieces[i].anchor);
-        let bent = v2 * pieces[i].stiffness(given);
-        sum += 0.5 * joint.joint * bent * bent;
+        let [_, _, bent, _] = pieces[i].beam(given, &taylor, x - pieces[i].anchor);
+        sum += 0.5 * flexibility * bent * bent;
     }
     sum
 }
@@ -155,10 +152,9 @@ fn extremes(given: &PiecewiseScene, pieces: &[Piece]) -> (Extremes, Extremes) {
     for piece in pieces {
         piece.deflection(given, &mut taylor);
         for x in [piece.lo, piece.hi] {
-            let [v, _, v2, _] = derivatives(&taylor, x - piece.anchor);
-            let v2 = v2 * piece.stiffness(given);
+            let [v, _, bent, _] = piece.beam(given, &taylor, x - piece.anchor);
             ends = [ends[0].min(v), ends[1].max(v)];
-            bends = [bends[0].min(v2), bends[1].max(v2)];
+            bends = [bends[0].min(bent), bends[1].max(bent)];
         }
     }
     let (mut first, mut second) = (Vec::with_capacity(3 * pieces.len()), Vec::with_capacity(3 * pieces.len()));
@@ -166,9 +162,7 @@ fn extremes(given: &PiecewiseScene, pieces: &[Piece]) -> (Extremes, Extremes) {
         piece.deflection(given, &mut taylor);
         piece.outwards(&mut taylor);
         add_extremes(piece, &taylor, ends, &mut first);
-        let bent = differentiated(differentiated(&mut taylor));
-        bent.iter_mut().for_each(|c| *c *= piece.stiffness(given));
-        add_extremes(piece, bent, bends, &mut second);
+        add_extremes(piece, piece.bent(given, &mut taylor), bends, &mut second);
     }
     (Extremes::of(first.iter().copied()), Extremes::of(second.iter().copied()))
 }
@@ -212,9 +206,9 @@ pub(super) fn bend_extremes(given: &PiecewiseScene, pieces: &[Piece]) -> Extreme
     for piece in pieces {
         piece.deflection(given, &mut taylor);
         piece.outwards(&mut taylor);
-        let bend = differentiated(differentiated(&mut taylor));
-        bend.iter_mut().for_each(|c| *c = 0.0 - *c * piece.stiffness(given));
-        add_extremes(piece, bend, [f64::INFINITY, f64::NEG_INFINITY], &mut values);
+        let moment = piece.bent(given, &mut taylor);
+        moment.iter_mut().for_each(|c| *c = 0.0 - *c);
+        add_extremes(piece, moment, [f64::INFINITY, f64::NEG_INFINITY], &mut values);
     }
     Extremes::of(values.iter().copied())
 }
@@ -233,11 +227,4 @@ pub(super) fn add_extremes(piece: &Piece, c: &[f64], [least, most]: [f64; 2], va
     if piece.lo < piece.anchor {
         values[start..].reverse();
     }
-}
-
-/// Coefficients of the derivative, in place.
-pub(super) fn differentiated(c: &mut [f64]) -> &mut [f64] {
-    #[expect(clippy::cast_precision_loss, reason = "a degree is a small number")]
-    c.iter_mut().enumerate().for_each(|(j, c)| *c *= j as f64);
-    c.get_mut(1..).unwrap_or_default()
 }

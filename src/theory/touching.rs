@@ -36,7 +36,7 @@ impl Exact {
     /// Where the beam touches without pressing. Under a load that drives it down it presses or is clear, except at positions where a
     /// contact begins or ends just in this scene.
     fn touches(&self, pressed: &[Contact], nothing: &Nothing) -> Vec<Touch> {
-        let (given, unit) = (&self.given, self.scale.length);
+        let (given, unit) = (&self.given, self.units.length);
         if !given.has_obstacle() {
             return Vec::new();
         }
@@ -69,7 +69,7 @@ impl Exact {
 
     /// Whether the clearance of the beam at a position is rounding.
     fn is_near_ground(&self, x: f64, nothing: &Nothing) -> bool {
-        self.clearance(x * self.scale.length) <= nothing.depth * self.scale.depth
+        self.clearance(x * self.units.length) <= nothing.depth * self.units.depth
     }
 
     /// Whether the beam has no clearance between a position and the nearest known contact on either side.

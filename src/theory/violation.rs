@@ -93,13 +93,13 @@ pub enum Violation {
 }
 
 impl Violation {
-    /// Converts dimensionless numbers, with moments and forces over `EI`, to the units of the scene.
-    pub(super) fn in_units(self, scale: &Scale, stiffness: f64) -> Self {
-        let place = |x: f64| x * scale.length;
-        let force = |f: f64| f * stiffness * scale.force;
-        let moment = |m: f64| m * stiffness * scale.moment();
+    /// Converts dimensionless numbers to the units of the scene.
+    pub(super) fn in_units_of(self, units: &Scale) -> Self {
+        let place = |x: f64| x * units.length;
+        let force = |f: f64| f * units.force;
+        let moment = |m: f64| m * units.moment();
         match self {
-            Self::Penetration { at, depth } => Self::Penetration { at: place(at), depth: depth * scale.depth },
+            Self::Penetration { at, depth } => Self::Penetration { at: place(at), depth: depth * units.depth },
             Self::Pull { at, force: pull } => Self::Pull { at: place(at), force: force(pull) },
             Self::CurvatureGap { at, moment: lack } => Self::CurvatureGap { at: place(at), moment: moment(lack) },
             Self::PullAlong { from, to } => Self::PullAlong { from: place(from), to: place(to) },

@@ -39,7 +39,7 @@ impl Way {
         let ends = [a, b];
         let heights = [0, 1].map(|i| ends[i].hold.height());
         let levels = [0, 1].map(|i| ends[i].hold.level(profiles[i][0]));
-        let bends = [0, 1].map(|i| profiles[i][2] / given.cells[ends[i].cell].stiffness);
+        let bends = curvatures(given, [*a, *b], &profiles);
         let in_beam = is_in_beam(given, ends, heights, levels, bends);
         let rise = if in_beam {
             let beyond =
@@ -56,7 +56,7 @@ impl Way {
     pub(super) fn afloat(given: &PiecewiseScene, ends: [End; 2], node: Option<End>) -> Self {
         let level = node.map_or(0.0, |node| node.hold.level(given.derivative(node.cell, node.x, 0)));
         let profiles = ends.map(|end| given.derivatives(end.cell, end.x));
-        let bends = [0, 1].map(|i| profiles[i][2] / given.cells[ends[i].cell].stiffness);
+        let bends = curvatures(given, ends, &profiles);
         Self::with(ends, profiles, bends, (true, [level; 2], 0.0))
     }
 
@@ -67,7 +67,7 @@ impl Way {
     pub(super) fn overhanging(given: &PiecewiseScene, ends: [End; 2], free: usize) -> Self {
         let whole = Self::of(given, &ends[0], &ends[1]);
         let held = 1 - free;
-        let bends = [0, 1].map(|i| whole.profiles[i][2] / given.cells[ends[i].cell].stiffness);
+        let bends = curvatures(given, ends, &whole.profiles);
         let slope = match ends[held].hold {
             EndCondition::Edge { slope: [slope, _], .. } => slope,
             EndCondition::Resting if whole.in_beam => whole.profiles[held][1],
@@ -100,7 +100,7 @@ impl Way {
     }
 
     /// Overwrites the computed values at an end by the given ones, which have no rounding error.
-    pub(super) fn know(&self, i: usize, at: &mut [f64; 4], beam: &mut [f64; 4]) {
+    pub(super) fn set_known(&self, i: usize, at: &mut [f64; 4], beam: &mut [f64; 4]) {
         if self.holds[i] == EndCondition::Free {
             return;
         }
@@ -113,6 +113,11 @@ impl Way {
             EndCondition::Free | EndCondition::Within => {}
         }
     }
+}
+
+/// The curvature `u''` of the profile at both ends.
+fn curvatures(given: &PiecewiseScene, ends: [End; 2], profiles: &[[f64; 4]; 2]) -> [f64; 2] {
+    [0, 1].map(|i| given.curvature(ends[i].cell, profiles[i][2]))
 }
 
 /// Whether a span is computed in its deflection, not in its clearance: the variable whose chord and curvature are smaller.

@@ -43,12 +43,16 @@ impl Extremes {
         if max < min {
             return Self::default();
         }
-        Self::known(max, min, |_, _| values.clone())
+        Self::at_known_values(max, min, |_, _| values.clone())
     }
 
     /// The positions of known extremes. `near(extreme, equal)` may omit values. Of each omitted stretch it must return one value,
     /// and both end values if the stretch contains values within `equal` of the extreme.
-    pub(crate) fn known<I: Iterator<Item = (f64, f64)>>(max: f64, min: f64, near: impl Fn(f64, f64) -> I) -> Self {
+    pub(crate) fn at_known_values<I: Iterator<Item = (f64, f64)>>(
+        max: f64,
+        min: f64,
+        near: impl Fn(f64, f64) -> I,
+    ) -> Self {
         let largest = max.abs().max(min.abs());
         let equal = Self::EQUAL * largest;
         let place = |extreme: f64| place_of(near(extreme, equal), extreme, equal);

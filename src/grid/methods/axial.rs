@@ -43,7 +43,7 @@ impl Link {
         match discretisation {
             Discretisation::FiniteDifferences => Self { near: 0.5 * e, far: 0.0, fall: 1.0 },
             Discretisation::BeamElements => {
-                let [near, far, fall] = axial::turns_of_any(nu * e);
+                let [near, far, fall] = axial::end_rotations_of_any(nu * e);
                 Self { near: e * near, far: e * far, fall }
             }
         }

@@ -167,7 +167,7 @@ impl Discrete {
     /// singular and there is no flexibility.
     #[must_use]
     pub fn is_held(&self) -> bool {
-        self.supports.lacking() == 0 && self.missing(&self.supports.holds()).is_empty()
+        self.supports.lacking() == 0 && self.missing(&self.supports.held_nodes()).is_empty()
     }
 
     /// Nodes that must hold the beam in addition to the given ones, so that no part between two hinges can move; see
@@ -269,7 +269,7 @@ impl Discrete {
     /// The beam on its supports, with more supports if these do not hold it, above a foundation at level zero and under other loads.
     /// This is the basic structure for forces in balance.
     pub(super) fn basic(&self, loads: Vec<f64>) -> Self {
-        let missing = self.missing(&self.supports.holds());
+        let missing = self.missing(&self.supports.held_nodes());
         let supports = match self.divisions.has_hinges() && self.tension <= 0.0 {
             true => self.supports.and_at(&missing),
             false => self.supports.completed(),

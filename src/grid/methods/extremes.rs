@@ -43,7 +43,7 @@ pub(super) fn extremes(
 /// Extremes of nodal values, with positions in intervals.
 fn nodal_extremes(values: Values<'_>) -> Extremes {
     let [max, min] = values.ends.into_iter().fold(range(values.inner), |seen, end| wider(seen, [end; 2]));
-    Extremes::known(max, min, |extreme, equal| near(values, extreme, equal))
+    Extremes::at_known_values(max, min, |extreme, equal| near(values, extreme, equal))
 }
 
 /// Pairs of node and value. They include all values of each block with a value within `equal` of the extreme, and one value of every

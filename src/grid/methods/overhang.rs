@@ -47,7 +47,7 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
             if side == 0 { slope } else { -slope }
         } else {
             let inner = (self.span)(here.min(next), here.max(next));
-            let [own, beside] = inner.turned(self.discretisation);
+            let [own, beside] = inner.end_rotations(self.discretisation);
             (next_level - level) / (spacing * as_float(here.abs_diff(next)))
                 + (own * own_moment + beside * next_moment + inner.rotations[side]) / unit
         };
@@ -62,7 +62,7 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
             } else {
                 Overhang::of((self.span)(node.min(tip), node.max(tip)), side, loads[tip]).moment
             };
-            let [own, beside] = span.turned(self.discretisation);
+            let [own, beside] = span.end_rotations(self.discretisation);
             let chord = slope + (own * root.1 + beside * beyond + span.rotations[1 - side]) / unit;
             let drop = chord * spacing * span.steps;
             let far = (node, beyond, root.2 - drop);

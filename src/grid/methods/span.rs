@@ -98,7 +98,7 @@ impl Span {
 
     /// The rotations of an end by a unit moment there and by one at the other end: `2L` and `L` of a beam, and those of a chain of
     /// [`links`].
-    pub(super) fn turned(&self, discretisation: Discretisation) -> [f64; 2] {
+    pub(super) fn end_rotations(&self, discretisation: Discretisation) -> [f64; 2] {
         let links = links(discretisation, self.steps);
         [self.soft * (2.0 * self.steps + links), self.soft * (self.steps - links)]
     }

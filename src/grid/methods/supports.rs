@@ -242,11 +242,11 @@ impl Supports {
     /// How many more nodes must carry the beam before it is held: none, one or two.
     pub(crate) fn lacking(&self) -> usize {
         let needed: usize = if self.taut { 1 } else { 2 };
-        needed.saturating_sub(self.holds().iter().map(|(_, holds)| holds).sum())
+        needed.saturating_sub(self.held_nodes().iter().map(|(_, holds)| holds).sum())
     }
 
     /// The nodes that the supports hold, ascending, each with the number of motions that it prevents.
-    pub(super) fn holds(&self) -> Vec<(usize, usize)> {
+    pub(super) fn held_nodes(&self) -> Vec<(usize, usize)> {
         let held =
             self.all.iter().map(|support| (support.node, support.held.slope.or(support.held.turning.map(|t| t[1]))));
         let springs = self.springs.iter().map(|spring| (spring.node, spring.turning.map(|t| t[1])));
@@ -259,7 +259,7 @@ impl Supports {
     /// The same with additional simple supports at level zero at one or both ends, so that the beam is held. This is a basic
     /// structure for forces that are in balance without them.
     pub(super) fn completed(&self) -> Self {
-        match (self.lacking(), self.holds().first().map(|held| held.0)) {
+        match (self.lacking(), self.held_nodes().first().map(|held| held.0)) {
             (0, _) => self.clone(),
             (1, Some(node)) if 2 * node < self.intervals => self.and_at(&[self.intervals]),
             (1, _) => self.and_at(&[0]),

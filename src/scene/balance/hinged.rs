@@ -108,7 +108,7 @@ impl Part {
 /// # Errors
 ///
 /// [`Unheld::Turned`], [`Unheld::Moved`].
-pub(super) fn rests(scene: &Scene) -> Result<(), Unheld> {
+pub(super) fn check_parts(scene: &Scene) -> Result<(), Unheld> {
     let l = scene.beam().length();
     let hinges = scene.beam().joints().iter().filter(|joint| joint.stiffness.is_none()).map(|joint| joint.at);
     let places: Vec<f64> = [0.0].into_iter().chain(hinges).chain([l]).collect();

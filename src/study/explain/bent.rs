@@ -8,8 +8,10 @@
 //! ```
 //!
 //! If the bending stiffness is constant, the `B` are `2L`, `L` and `2L`.
+//!
+//! Beam theory has the same numbers in another form. They are computed anew here on purpose: an explanation checks beam theory.
 
-use super::SAME;
+use super::places::SAME;
 use crate::scene::{Concentrated, Scene};
 use crate::theory::gauss::Gauss;
 

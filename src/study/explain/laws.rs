@@ -8,7 +8,7 @@
 //! At a node the law is the equation for `v` or for `v'`; the other equations there use these as known numbers. Where the foundation
 //! determines `v` or `v'`, it carries what the support does not.
 
-use super::{SAME, has_lifted};
+use super::places::{SAME, has_lifted, is_same};
 use crate::scene::Scene;
 use crate::theory::Exact;
 
@@ -35,7 +35,7 @@ impl Law {
     /// The laws of the supports that the beam has not lifted off, from left to right, with nodes at these positions.
     pub(super) fn all(scene: &Scene, exact: &Exact, nodes: &[f64]) -> Vec<Self> {
         let here = SAME * scene.beam().length();
-        let is_here = |x: f64, other: f64| (x - other).abs() <= here;
+        let is_here = |x: f64, other: f64| is_same(scene, x, other);
         let node = |x: f64| nodes.iter().position(|node| is_here(*node, x));
         let contacts = &exact.state.contacts;
         let touches = |x: f64| contacts.iter().any(|c| c.from - here <= x && x <= c.to + here);

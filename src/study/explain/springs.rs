@@ -30,9 +30,12 @@
 //! same on both sides, or the slope that a support fixes, and `V_right − V_left = R − P`. At a joint `v'` is less on the right by
 //! `M/k`; at a hinge `M = 0`. Module `laws` gives the forces of elastic supports; at a support that is elastic against rotation `M`
 //! jumps.
+//!
+//! The coefficients are computed here from the scene, on purpose not by the chain of beam theory, which they check.
 
-use super::{Law, SAME, What, has_lifted};
-use crate::scene::{Foundation, Scene, Support};
+use super::places::{Place, corners, found, has_lifted, is_in_zone, is_same, joint_at, lifted};
+use super::{Law, What};
+use crate::scene::{Scene, Support};
 use crate::theory::Exact;
 use crate::theory::gauss::Gauss;
 
@@ -125,18 +128,17 @@ impl Chain {
         let tension = scene.beam().tension();
         (scene.ground_stiffness().is_some() || tension != 0.0).then_some(())?;
         let nodes = nodes(scene, exact);
-        let is_pressed = |x: f64| is_pressed(exact, x);
         let link = |pair: &[ChainNode]| {
             let ends = [pair[0].x, pair[1].x];
-            if exact.is_rigid() && is_pressed(0.5 * (ends[0] + ends[1])) {
+            let is_pressed = is_in_zone(exact, 0.5 * (ends[0] + ends[1]));
+            if exact.is_rigid() && is_pressed {
                 return Link::along(exact, ends, tension);
             }
-            Link::of(scene, ends, if is_pressed(0.5 * (ends[0] + ends[1])) { stiffness(scene, ends) } else { 0.0 })
+            Link::of(scene, ends, if is_pressed { stiffness(scene, ends) } else { 0.0 })
         };
-        let lifted = exact.state.supports.iter().filter(|support| has_lifted(support)).map(|support| support.at);
         let places: Vec<f64> = nodes.iter().map(|node| node.x).collect();
         let laws = Law::all(scene, exact, &places);
-        Some(Self { links: nodes.windows(2).map(link).collect(), lifted: lifted.collect(), laws, nodes, tension })
+        Some(Self { links: nodes.windows(2).map(link).collect(), lifted: lifted(exact), laws, nodes, tension })
     }
 
     /// `v'` at a node, from the link to its left and from the link to its right.
@@ -274,21 +276,11 @@ fn stiffness(scene: &Scene, [from, to]: [f64; 2]) -> f64 {
     scene.ground_stiffness_beside(0.5 * (from + to))[0]
 }
 
-/// Place, what is there, the force of a support, and whether it holds the slope.
-type Place = (f64, What, f64, bool);
-
-fn is_pressed(exact: &Exact, x: f64) -> bool {
-    exact.state.contacts.iter().any(|contact| contact.from < x && x < contact.to)
-}
-
 /// All places where something is, with the forces of supports.
 fn places(scene: &Scene, exact: &Exact) -> Vec<Place> {
     let (state, length, load) = (&exact.state, scene.beam().length(), scene.load());
-    let is_pressed = |x: f64| is_pressed(exact, x);
-    let mut found: Vec<Place> = Vec::new();
-    if exact.is_rigid() {
-        found.extend(super::found(scene, exact));
-    }
+    let is_pressed = |x: f64| is_in_zone(exact, x);
+    let mut found: Vec<Place> = if exact.is_rigid() { found(scene, exact) } else { Vec::new() };
     for support in state.supports.iter().filter(|support| !exact.is_rigid() && !has_lifted(support)) {
         let what = What::of_support(scene, support);
         found.push((support.at, what, support.force, what == What::BuiltIn));
@@ -303,15 +295,12 @@ fn places(scene: &Scene, exact: &Exact) -> Vec<Place> {
     let others = others.filter(|(x, _)| !(exact.is_rigid() && is_pressed(*x)));
     found.extend(others.map(|(x, what)| (x, what, 0.0, false)));
     let sunk = |x: &f64| !exact.is_rigid() && is_pressed(*x);
-    found.extend(scene.ground_changes().filter(sunk).map(|x| (x, What::Corner, 0.0, false)));
-    for profile in scene.foundation().into_iter().chain(scene.beam().shape()) {
-        let Foundation::Polyline { points } = profile else { continue };
-        found.extend(points.iter().map(|p| p[0]).filter(sunk).map(|x| (x, What::Corner, 0.0, false)));
-    }
+    let bends = scene.ground_changes().chain(corners(scene)).filter(sunk);
+    found.extend(bends.map(|x| (x, What::Corner, 0.0, false)));
     // The sort is stable: of several nodes at one position the first determines the kind.
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
     found.dedup_by(|next, kept| {
-        let same = (next.0 - kept.0).abs() <= SAME * length;
+        let same = is_same(scene, next.0, kept.0);
         if same && kept.1 != What::BuiltIn && matches!(next.1, What::Support | What::BuiltIn | What::Spring) {
             *kept = *next;
         }
@@ -328,7 +317,7 @@ fn with_between(scene: &Scene, exact: &Exact, found: &[Place]) -> Vec<Place> {
         let bending = scene.beam().stiffness_between(from, to);
         let decay = (0.25 * stiffness(scene, [from, to]) / bending).sqrt().sqrt();
         let pulled = (scene.beam().tension().abs() / bending).sqrt();
-        let shortest = match (is_pressed(exact, 0.5 * (from + to)), exact.is_rigid()) {
+        let shortest = match (is_in_zone(exact, 0.5 * (from + to)), exact.is_rigid()) {
             (true, true) => 0.0,
             (true, false) => decay.max(pulled),
             (false, _) => pulled,
@@ -345,17 +334,16 @@ fn with_between(scene: &Scene, exact: &Exact, found: &[Place]) -> Vec<Place> {
 /// The deflection that a rigid support gives the beam; the answer has it with rounding.
 fn given_deflection(scene: &Scene, what: What, x: f64) -> Option<f64> {
     let beam = scene.beam();
-    let is_here = |support: &&Support| (support.at - x).abs() <= SAME * beam.length();
+    let is_here = |support: &&Support| is_same(scene, support.at, x);
     let supports = beam.all_supports();
     let support = supports.iter().find(is_here).filter(|_| matches!(what, What::Support | What::BuiltIn))?;
     Some(support.level - beam.shape().map_or(0.0, |shape| shape.depth(support.at)))
 }
 
 fn nodes(scene: &Scene, exact: &Exact) -> Vec<ChainNode> {
-    let (length, load) = (scene.beam().length(), scene.load());
     let node = |(x, what, force, follows): Place| {
-        let here = load.point().iter().filter(|load| (load.at - x).abs() <= SAME * length);
-        let joint = scene.beam().joints().iter().find(|joint| (joint.at - x).abs() <= SAME * length);
+        let here = scene.load().point().iter().filter(|load| is_same(scene, load.at, x));
+        let joint = joint_at(scene, x);
         ChainNode {
             what,
             x,
@@ -365,7 +353,7 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<ChainNode> {
             moments: exact.moments(x),
             load: here.map(|load| load.force).sum(),
             force,
-            joint: joint.map(|joint| joint.stiffness.unwrap_or(0.0)),
+            joint,
         }
     };
     with_between(scene, exact, &places(scene, exact)).into_iter().map(node).collect()

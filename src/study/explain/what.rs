@@ -1,6 +1,6 @@
 //! The kind of a node in an explanation.
 
-use super::SAME;
+use super::places::is_same;
 use crate::scene::{Scene, Support};
 use crate::state::SupportForce;
 
@@ -39,7 +39,7 @@ impl What {
     /// The kind of a support with this reaction.
     pub(super) fn of_support(scene: &Scene, support: &SupportForce) -> Self {
         let beam = scene.beam();
-        let is_here = |given: &&Support| (given.at - support.at).abs() <= SAME * beam.length();
+        let is_here = |given: &&Support| is_same(scene, given.at, support.at);
         let turning = beam.supports().iter().find(is_here).is_some_and(|given| given.turning_stiffness.is_some());
         match support.moment {
             _ if turning || beam.springs().iter().any(|given| is_here(&given)) => Self::Spring,

@@ -230,7 +230,7 @@ impl Search<'_> {
                 found.iter().rev().find(|root| (root.value - value) * sign < 0.0).map_or(left, |root| &root.after);
             let unexpected = middle.pattern.is_same(pattern) && !middle.is_like(before);
             // If the contacts before it are an answer as well, both are valid to 12 digits, and the row shows nothing new.
-            (unexpected && self.kept(before, *value).is_none()).then_some(middle)
+            (unexpected && self.with_contacts_of(before, *value).is_none()).then_some(middle)
         });
         match middle {
             Some(middle) => {
@@ -253,7 +253,8 @@ impl Search<'_> {
             };
             let close = (root.value - last.value).abs() <= ONE * (end - start).abs();
             let middle = 0.5 * (last.value + root.value);
-            let lasts = |at: &At, to: f64| [middle, to].into_iter().all(|value| self.kept(at, value).is_some());
+            let lasts =
+                |at: &At, to: f64| [middle, to].into_iter().all(|value| self.with_contacts_of(at, value).is_some());
             if lasts(&last.before, root.before.value) {
                 (last.value, last.off, last.after) = (root.value, root.off, root.after);
             } else if close || lasts(&root.after, last.after.value) {

@@ -88,7 +88,7 @@ impl Sweep<'_> {
         let left = Cell::new(work);
         let mut search =
             Find { sweep: self, until: *until, govern: Govern::of(self, until.measure, &left), left: &left };
-        if search.govern.samples.iter().all(|sample| sample.asked().is_none())
+        if search.govern.samples.iter().all(|sample| sample.measured().is_none())
             && let Err(error) = self.walk().solve(self.range[0])
         {
             return Err(error);
@@ -122,7 +122,7 @@ struct Find<'a> {
 impl Find<'_> {
     /// The values at which contact begins or ends.
     fn contact(&mut self) -> Vec<Reached> {
-        let known = self.govern.samples.iter().filter(|sample| sample.asked().is_some());
+        let known = self.govern.samples.iter().filter(|sample| sample.measured().is_some());
         let values: Vec<f64> = known.map(|sample| sample.value).collect();
         let ends = [values.first(), values.last()].into_iter().flatten();
         let kind = |value: &f64| Some((*value, self.sweep.answer(*value, &[]).ok()?.1.pattern()));
@@ -142,7 +142,7 @@ impl Find<'_> {
         let [start, end] = self.sweep.range;
         let one = ONE_VALUE * (end - start).abs();
         let sides: Vec<(f64, Option<f64>)> =
-            self.govern.samples.iter().map(|sample| (sample.value, sample.side(target))).collect();
+            self.govern.samples.iter().map(|sample| (sample.value, sample.side_of(target))).collect();
         let runs: Vec<&[(f64, Option<f64>)]> = sides.chunk_by(|a, b| a.1 == b.1).collect();
         let mut all = Vec::new();
         for (i, run) in runs.iter().enumerate() {
@@ -174,7 +174,7 @@ impl Find<'_> {
 
     /// The measured quantity at a value.
     fn at(&mut self, value: f64) -> Option<Measured> {
-        self.govern.solved(value)?.asked()
+        self.govern.solved(value)?.measured()
     }
 
     /// The root between two values on different sides.
@@ -199,7 +199,7 @@ impl Find<'_> {
         let this = RefCell::new(&mut *self);
         let has = |value, (): &()| {
             let measured = this.borrow_mut().at(value)?;
-            (measured.side(target) == 0.0).then_some(())
+            (measured.side_of(target) == 0.0).then_some(())
         };
         let end = last((inside, ()), beyond, u32::MAX, |a, b| sweep.is_narrow(a, b), has).0;
         let [from, to] = sweep.range;
@@ -214,14 +214,14 @@ impl Find<'_> {
     /// The value that comes closest to the target.
     fn nearest(&mut self) -> Option<Beside> {
         let target = self.until.target;
-        let known = |side: f64| self.govern.samples.iter().any(|sample| sample.side(target) == Some(side));
+        let known = |side: f64| self.govern.samples.iter().any(|sample| sample.side_of(target) == Some(side));
         let sign = match [known(-1.0), known(1.0)] {
             [true, false] => 1.0,
             [false, true] => -1.0,
             _ => {
                 let samples = self.govern.samples.iter();
-                let all =
-                    samples.filter_map(|sample| Some(Beside { value: sample.value, reached: sample.asked()?.number }));
+                let all = samples
+                    .filter_map(|sample| Some(Beside { value: sample.value, reached: sample.measured()?.number }));
                 return all.min_by(|a, b| (a.reached - target).abs().total_cmp(&(b.reached - target).abs()));
             }
         };
@@ -256,7 +256,7 @@ impl Find<'_> {
             let value = value + way * farther * BESIDE * (end - start).abs();
             let Some(measured) = self.at(value) else { continue };
             let found = (Beside { value, reached: measured.number }, farther);
-            if measured.side(self.until.target) != 0.0 {
+            if measured.side_of(self.until.target) != 0.0 {
                 return Some(found);
             }
             nearest.get_or_insert(found);

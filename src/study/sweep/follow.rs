@@ -160,7 +160,7 @@ impl Search<'_> {
         // On the near side the contacts are still the same.
         let near = |value: f64| {
             let before = value - step;
-            if 0.0 < (before - from.value) * step { self.kept(from, before) } else { Some(from.clone()) }
+            if 0.0 < (before - from.value) * step { self.with_contacts_of(from, before) } else { Some(from.clone()) }
         };
         let sides: Vec<(f64, At)> = roots.into_iter().map_while(|value| Some((value, near(value)?))).collect();
         // Beyond the event the contacts are different, and not the same contacts that move fast. The answer is taken as close to the
@@ -179,7 +179,7 @@ impl Search<'_> {
     }
 
     /// The answer at a value with the contacts of another answer, if it exists.
-    pub(super) fn kept(&self, from: &At, value: f64) -> Option<At> {
+    pub(super) fn with_contacts_of(&self, from: &At, value: f64) -> Option<At> {
         self.count(from.exact.work_to_move());
         let exact = from.exact.moved(&self.sweep.scene(value).ok()?)?;
         Some(At::new(value, exact)).filter(|near| near.is_like(from))

@@ -85,13 +85,13 @@ impl Sample {
         self
     }
 
-    /// The side of a target on which the measured number is ([`Measured::side`]); none without an answer.
-    pub(super) fn side(&self, target: f64) -> Option<f64> {
-        self.asked().map(|asked| asked.side(target))
+    /// The side of a target on which the measured number is ([`Measured::side_of`]); none without an answer.
+    pub(super) fn side_of(&self, target: f64) -> Option<f64> {
+        self.measured().map(|asked| asked.side_of(target))
     }
 
     /// The measured number.
-    pub(super) fn asked(&self) -> Option<Measured> {
+    pub(super) fn measured(&self) -> Option<Measured> {
         self.known.as_ref()?.asked
     }
 
@@ -275,7 +275,7 @@ impl<'a> Govern<'a> {
     /// Divides intervals with both ends on one side of a target of the measured quantity, if the target may be reached inside.
     pub(super) fn towards(&mut self, target: f64) {
         for sign in [1.0, -1.0] {
-            let is_short = |sample: &Sample| sample.side(target).is_none_or(|side| sign * side < 0.0);
+            let is_short = |sample: &Sample| sample.side_of(target).is_none_or(|side| sign * side < 0.0);
             self.divide(Extreme::Asked { sign }, |_| Some(sign * target), |a, b| is_short(a) && is_short(b));
         }
     }

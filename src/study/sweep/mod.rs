@@ -41,7 +41,7 @@ mod train;
 mod until;
 
 use crate::route::Solution;
-use crate::scene::{PathError, Quantity, Scene, SceneError, Unstable, shown};
+use crate::scene::{PathError, Quantity, Scene, SceneError, Unstable, as_written};
 use crate::theory::{self, Exact, Pattern, TheoryError};
 use crate::verdict::Demand;
 
@@ -84,7 +84,7 @@ pub enum SweepError {
     #[error("the number of steps must be between 2 and {MOST_STEPS}, but is {0}")]
     Steps(usize),
     /// The range has no length, or an end that is not finite.
-    #[error("the range must have two different, finite ends, but goes from {} to {}", shown(*from), shown(*to))]
+    #[error("the range must have two different, finite ends, but goes from {} to {}", as_written(*from), as_written(*to))]
     Range {
         /// The start of the range.
         from: f64,
@@ -92,7 +92,7 @@ pub enum SweepError {
         to: f64,
     },
     /// A value has no scene or no answer of beam theory.
-    #[error("there is no answer for `{quantity}` = {}{}: {error}", shown(*value), from(*border, *value))]
+    #[error("there is no answer for `{quantity}` = {}{}: {error}", as_written(*value), from(*border, *value))]
     Invalid {
         /// The varied number.
         quantity: Quantity,
@@ -116,7 +116,7 @@ impl SweepError {
 }
 
 fn from(border: f64, value: f64) -> String {
-    if border.total_cmp(&value).is_eq() { String::new() } else { format!(", and none from {} on", shown(border)) }
+    if border.total_cmp(&value).is_eq() { String::new() } else { format!(", and none from {} on", as_written(border)) }
 }
 
 /// A scene, its varied number, and the values of this number.

@@ -47,7 +47,7 @@ impl Search<'_> {
         /// Number of halvings: the end is then known to a thousandth of the last step.
         const HALVINGS: u32 = 12;
         let steps = std::iter::successors(Some(step), |step| Some(LONGER * step)).take(STEPS);
-        let meets = |step: &f64| self.kept(at, value + step).is_some();
+        let meets = |step: &f64| self.with_contacts_of(at, value + step).is_some();
         let Some(with) = steps.take_while(meets).last() else { return 0.0 };
         last((with, ()), LONGER * with, HALVINGS, |_, _| false, |step, ()| meets(&step).then_some(())).0.abs()
     }

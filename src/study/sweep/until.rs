@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::scene::{Scene, shown};
+use crate::scene::{Scene, as_written};
 use crate::theory::Exact;
 
 /// A quantity that can be measured in each answer of a sweep.
@@ -53,7 +53,7 @@ pub enum UntilError {
         number: String,
     },
     /// The position is not on the beam.
-    #[error("the position in `{measure}` must lie on the beam, between 0 and {}", shown(*length))]
+    #[error("the position in `{measure}` must lie on the beam, between 0 and {}", as_written(*length))]
     Place {
         /// The measured quantity, with the position.
         measure: Measure,
@@ -133,7 +133,7 @@ impl Measured {
     const DIGITS: f64 = 1e-12;
 
     /// 1 above a target, −1 below it, and 0 if it is reached to rounding.
-    pub(super) fn side(self, target: f64) -> f64 {
+    pub(super) fn side_of(self, target: f64) -> f64 {
         let off = self.number - target;
         if off.abs() <= self.rounding(target) { 0.0 } else { off.signum() }
     }

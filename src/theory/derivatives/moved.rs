@@ -14,15 +14,9 @@
 
 use super::{By, ContactDerivative, Derivative, Missing};
 use crate::scene::{Quantity, Scene};
-use crate::theory::asked::{Asked, NOTHING, is_next_to};
-use crate::theory::check::check;
 use crate::theory::exact::Exact;
-use crate::theory::giving::wrong;
-use crate::theory::newton;
-use crate::theory::piecewise::PiecewiseScene;
-use crate::theory::search::Candidate;
 use crate::theory::sensitivity::Change;
-use crate::theory::solve::solve_near;
+use crate::theory::variation::{NOTHING, Variation, is_next_to};
 
 /// Steps, in multiples of a negligible change ([`NOTHING`]): shares of 1e-2 to 1e-5 of the size of a number.
 const STEPS: [f64; 4] = [1e5, 1e4, 1e3, 1e2];
@@ -42,11 +36,12 @@ struct Sides([Option<Vec<f64>>; 3]);
 
 impl Exact {
     /// The requested derivative, by answers that keep the contacts.
-    pub(super) fn moved_derivative(&self, scene: &Scene, asked: Asked, lies: bool) -> Derivative {
-        let goes_on = if lies || asked.moves_at_zone(self) { [false; 2] } else { self.goes_on_beside(scene, asked) };
+    pub(super) fn moved_derivative(&self, scene: &Scene, variation: Variation, lies: bool) -> Derivative {
+        let goes_on =
+            if lies || variation.moves_at_zone(self) { [false; 2] } else { self.goes_on_beside(scene, variation) };
         let sizes = self.sizes();
-        let Sides([left, both, right]) = self.differences(scene, asked, &sizes);
-        let own = asked.least / NOTHING;
+        let Sides([left, both, right]) = self.differences(scene, variation, &sizes);
+        let own = variation.least / NOTHING;
         let same = |a: &[f64], b: &[f64]| {
             a.iter().zip(b).zip(&sizes).all(|((a, b), size)| {
                 a.is_nan() && b.is_nan() || (a - b).abs() <= SAME * (a.abs() + b.abs()) + ROUNDING * size / own
@@ -60,32 +55,15 @@ impl Exact {
             _ => (right, true),
         };
         let missing = numbers.is_none().then_some(Missing::Ends);
-        self.of_numbers(asked.by, &numbers.unwrap_or_else(|| vec![f64::NAN; sizes.len()]), one_sided, missing)
+        self.of_numbers(variation.by, &numbers.unwrap_or_else(|| vec![f64::NAN; sizes.len()]), one_sided, missing)
     }
 
     /// Whether this answer continues if the number decreases, and if it increases.
-    fn goes_on_beside(&self, scene: &Scene, asked: Asked) -> [bool; 2] {
-        [-asked.least, asked.least].map(|step| {
-            let there = asked.moved(scene, step).and_then(|there| self.kept_in(&there));
-            there.is_some_and(|(there, holds)| holds && is_next_to(self, &there, scene.beam().length()))
+    fn goes_on_beside(&self, scene: &Scene, variation: Variation) -> [bool; 2] {
+        [-variation.least, variation.least].map(|step| {
+            let there = variation.changed_scene(scene, step).and_then(|there| self.kept_in(&there));
+            there.is_some_and(|there| there.solved && is_next_to(self, &there, scene.beam().length()))
         })
-    }
-
-    /// This answer with its contacts and its pressed stops in another scene, and whether their conditions are satisfied there.
-    fn kept_in(&self, scene: &Scene) -> Option<(Self, bool)> {
-        if self.springs.is_some() {
-            let there = solve_near(scene, &[self]).ok().filter(|there| there.solved)?;
-            return Some((there, true));
-        }
-        let scaled = scene.scaled().ok()?;
-        let acts = self.acting();
-        let given = PiecewiseScene::with(&scaled.scene, |i| acts.get(i).copied().unwrap_or(true));
-        let mut list = self.list_in(&given, &scaled.scale)?;
-        newton::solve(&given, &mut list).converged.then_some(())?;
-        let checked = check(&given, &list);
-        let holds = checked.faults.is_empty() && wrong(&given, &checked).is_empty();
-        let found = Candidate { list, checked, steps: 0, lists: 1, samples: 0, converged: true };
-        Some((Self::new(given, found, scaled.scale, scaled.scene.beam().bending_stiffness()), holds))
     }
 
     /// The results to be differentiated: reactions, contacts of the list, energy.
@@ -101,25 +79,24 @@ impl Exact {
     /// The scale of each result: the largest of its kind.
     fn sizes(&self) -> Vec<f64> {
         let forces = self.state.supports.iter().map(|support| support.force.abs());
-        let force = forces.fold(self.given.total_load * self.stiffness * self.scale.force, f64::max);
-        let length = self.given.length * self.scale.length;
+        let force = forces.fold(self.given.total_load * self.units.force, f64::max);
+        let length = self.given.length * self.units.length;
         let supports = self.state.supports.iter().map(|_| force);
         let contacts = self.listed.iter().flat_map(|_| [length, length, force, force, force]);
         supports.chain(contacts).chain([self.state.energy.abs()]).collect()
     }
 
     /// The derivatives from differences, for the step with the smallest error.
-    fn differences(&self, scene: &Scene, asked: Asked, sizes: &[f64]) -> Sides {
+    fn differences(&self, scene: &Scene, variation: Variation, sizes: &[f64]) -> Sides {
         let at = |step: f64| {
-            let there = asked.moved(scene, step)?;
-            let (there, _) = self.kept_in(&there)?;
-            let numbers = there.numbers();
+            let there = variation.changed_scene(scene, step)?;
+            let numbers = self.kept_in(&there)?.numbers();
             let kinds = |of: &[f64]| of.iter().map(|number| number.is_nan()).collect::<Vec<_>>();
             (kinds(&numbers) == kinds(&self.numbers())).then_some(numbers)
         };
         let mut best: [(f64, Option<Vec<f64>>); 3] = [const { (f64::INFINITY, None) }; 3];
         let here = self.numbers();
-        for h in STEPS.map(|steps| steps * asked.least) {
+        for h in STEPS.map(|steps| steps * variation.least) {
             let of = |sign: f64| [1.0, 2.0, 3.0, 4.0].map(|k| at(sign * k * h));
             let [left, right] = [of(-1.0), of(1.0)];
             let mut keep = |side: usize, found: Option<[Vec<f64>; 2]>| {
@@ -154,39 +131,39 @@ impl Exact {
     }
 
     /// The additional derivatives of a general beam: with respect to steps, joints, elastic supports, couples and axial force.
-    pub(super) fn asked_besides(&self, scene: &Scene) -> Vec<Asked> {
+    pub(super) fn variations_of_general_beam(&self, scene: &Scene) -> Vec<Variation> {
         let beam = scene.beam();
         let (length, bending) = (beam.length(), beam.bending_stiffness());
-        let asked = |quantity, size: f64| {
+        let variation = |quantity, size: f64| {
             let change = [Change::Uniform(0.0); 2];
-            Asked { by: By::Number(quantity), change, unit: 1.0, least: NOTHING * size }
+            Variation { by: By::Number(quantity), change, unit: 1.0, least: NOTHING * size }
         };
-        let force = self.given.total_load * self.stiffness * self.scale.force;
+        let force = self.given.total_load * self.units.force;
         let mut all = Vec::new();
         let steps = beam.steps().iter().enumerate();
-        all.extend(steps.map(|(i, step)| asked(Quantity::StepStiffness(i), step[1])));
+        all.extend(steps.map(|(i, step)| variation(Quantity::StepStiffness(i), step[1])));
         let joints = beam.joints().iter().enumerate();
-        all.extend(joints.filter_map(|(i, joint)| Some(asked(Quantity::JointStiffness(i), joint.stiffness?))));
+        all.extend(joints.filter_map(|(i, joint)| Some(variation(Quantity::JointStiffness(i), joint.stiffness?))));
         for (i, support) in beam.supports_as_given().iter().enumerate() {
-            all.extend(support.stiffness.map(|k| asked(Quantity::SupportStiffness(i), k)));
-            all.extend(support.turning_stiffness.map(|k| asked(Quantity::SupportTurningStiffness(i), k)));
+            all.extend(support.stiffness.map(|k| variation(Quantity::SupportStiffness(i), k)));
+            all.extend(support.turning_stiffness.map(|k| variation(Quantity::SupportTurningStiffness(i), k)));
         }
         let couples = 0..scene.load().couple().len();
-        all.extend(couples.map(|i| asked(Quantity::CoupleMoment(i), force * length)));
+        all.extend(couples.map(|i| variation(Quantity::CoupleMoment(i), force * length)));
         let pull = beam.tension().abs().max(bending / length / length);
-        all.extend((beam.tension() != 0.0).then(|| asked(Quantity::Tension, pull)));
+        all.extend((beam.tension() != 0.0).then(|| variation(Quantity::Tension, pull)));
         all
     }
 
     /// The derivatives with respect to the steps of the stiffness of an elastic foundation. A step to zero has none: as soon as it has a
     /// stiffness, the contacts change.
-    pub(super) fn asked_of_steps(scene: &Scene) -> impl Iterator<Item = Asked> + '_ {
+    pub(super) fn variations_of_foundation_steps(scene: &Scene) -> impl Iterator<Item = Variation> + '_ {
         let is_one = scene.ground_changes().next().is_none();
         let steps = scene.ground_steps().iter().enumerate().filter(move |(_, step)| !is_one && 0.0 < step[1]);
         let change = [Change::Stiffen; 2];
         steps.map(move |(i, step)| {
             let by = By::Number(Quantity::GroundStepStiffness(i));
-            Asked { by, change, unit: 1.0, least: NOTHING * step[1] }
+            Variation { by, change, unit: 1.0, least: NOTHING * step[1] }
         })
     }
 }

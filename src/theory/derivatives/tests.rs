@@ -41,7 +41,7 @@ fn what_takes_too_many_answers_is_left_out() {
     let load = Load::uniform_on(&beam, 1.0).expect("a load");
     let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 1.0 })).expect("a scene");
     let exact = solve(&scene).expect("an answer");
-    let within = |pieces| exact.derivatives_within(&scene, exact.asked(&scene), pieces).expect("derivatives");
+    let within = |pieces| exact.derivatives_within(&scene, exact.variations(&scene), pieces).expect("derivatives");
     let (none, all) = (within(0), within(usize::MAX));
     assert_eq!((all.len(), all.len() - none.len()), (3 + 2 * (FIELDS as usize + 1), 5));
     assert!(none.iter().all(|derivative| all.contains(derivative)));

@@ -9,11 +9,11 @@ use crate::state::{
 };
 use crate::theory::exact::Exact;
 use crate::theory::gauss::Gauss;
-use crate::theory::giving::exerted;
+use crate::theory::giving::spring_force;
 use crate::theory::list::List;
-use crate::theory::piece::{Piece, derivatives};
+use crate::theory::piece::{Piece, derivatives, differentiated};
 use crate::theory::piecewise::{AtSpring, AtSupport, Breakpoint, PiecewiseScene};
-use crate::theory::summary::{add_extremes, differentiated};
+use crate::theory::summary::add_extremes;
 use crate::theory::violation::Violation;
 
 /// Tolerance of a penetration with the wrong sign, as a share of the largest one but at least of [`rounding`]: the rounding of the end
@@ -146,8 +146,8 @@ pub(in crate::theory) fn exact(
     let rounded = parts.iter().map(|part| rounding(part, given.length)).fold(0.0, f64::max);
     let measure = deepest(&parts).max(rounded / MOST_VIOLATED);
     let residual = if 0.0 < measure { violated / measure } else { violated };
-    let stiffness = scaled.scene.beam().bending_stiffness();
-    let mut state = state(&given, &parts, &stretches, [springs, stiffness]).in_units_of(&scaled.scale);
+    let units = scaled.units_over_stiffness();
+    let mut state = state(&given, &parts, &stretches, springs).in_units_of(&units);
     let resultant = scaled.balance.in_units_of(&scaled.scale).resultant();
     state.standing = resultant.map(|resultant| Standing::of(&state, resultant, None));
     let solved = settled && residual <= MOST_VIOLATED && state.is_finite();
@@ -172,15 +172,14 @@ pub(in crate::theory) fn exact(
         forces: Vec::new(),
         pieces: Vec::new(),
         given,
-        scale: scaled.scale,
-        stiffness,
+        units,
     })
 }
 
 /// Stretches to start from: from the answers of neighbouring scenes, or from a coarse bed.
 fn starts(scaled: &Scaled, springs: f64, near: &[&Exact]) -> Vec<Vec<[f64; 2]>> {
     let carried = |exact: &&Exact| {
-        let unit = exact.scale.length / scaled.scale.length;
+        let unit = exact.units.length / scaled.scale.length;
         let stretches = &exact.springs.as_ref().filter(|_| exact.solved)?.stretches;
         Some(stretches.iter().map(|ends| ends.map(|x| x * unit)).collect())
     };
@@ -206,24 +205,19 @@ fn violation(part: &Part) -> f64 {
     if part.pressed { -min } else { max }
 }
 
-/// The dimensionless state, from the stiffness of the foundation over the stiffness of the beam, and the stiffness of the beam.
-fn state(
-    given: &PiecewiseScene,
-    parts: &[Part],
-    stretches: &[[f64; 2]],
-    [springs, stiffness]: [f64; 2],
-) -> ContactState {
+/// The dimensionless state, with forces, moments and energy over the least `EI`, as the stiffness of the foundation.
+fn state(given: &PiecewiseScene, parts: &[Part], stretches: &[[f64; 2]], springs: f64) -> ContactState {
     let lifted = given.bearings.iter().filter(|&&at| given.support_at(at).is_none());
     let lifted = lifted.map(|&at| SupportForce::pushing(given.breakpoints[at].x, 0.0));
-    let firm = (0..given.supports.len()).map(|i| support(given, parts, i, stiffness));
-    let giving = given.springs.iter().map(|spring| giving(given, parts, spring, stiffness));
+    let firm = (0..given.supports.len()).map(|i| support(given, parts, i));
+    let giving = given.springs.iter().map(|spring| giving(given, parts, spring));
     let mut supports: Vec<SupportForce> = firm.chain(lifted).chain(giving).collect();
     supports.sort_by(|a, b| a.at.total_cmp(&b.at));
     let contact = |&[from, to]: &[f64; 2]| {
         let first = parts.partition_point(|part| part.piece.lo < from);
         let inside = parts[first..].iter().take_while(|part| part.piece.hi <= to).filter(|part| part.pressed);
         let sunk: f64 = inside.map(|part| part.ground * integral(&part.penetration, part.piece.width())).sum();
-        Contact { from, to, force: springs * sunk * stiffness, end_forces: None }
+        Contact { from, to, force: springs * sunk, end_forces: None }
     };
     let contacts: Vec<Contact> = stretches.iter().map(contact).collect();
     let bent = extremes(parts.iter(), bend);
@@ -237,19 +231,19 @@ fn state(
         contacts,
         touches: Vec::new(),
         deflection: extremes(parts.iter(), |part| part.deflection.clone()),
-        moment: bent.in_units(stiffness, 1.0),
-        energy: (energy(given, parts, springs) + in_springs(given, parts)) * stiffness,
-        pressure: Some(Pressure { max: sunk.max.max(0.0) * (springs * stiffness), at: sunk.max_at }),
+        moment: bent,
+        energy: energy(given, parts, springs) + in_springs(given, parts),
+        pressure: Some(Pressure { max: sunk.max.max(0.0) * springs, at: sunk.max_at }),
         nodes: None,
     }
 }
 
 /// The reaction of a rigid support.
-fn support(given: &PiecewiseScene, parts: &[Part], i: usize, stiffness: f64) -> SupportForce {
+fn support(given: &PiecewiseScene, parts: &[Part], i: usize) -> SupportForce {
     let AtSupport { breakpoint, built_in, turning, .. } = given.supports[i];
     let holds = built_in || turning.is_some();
     let x = given.breakpoints[breakpoint].x;
-    let force = force(given, parts, breakpoint) * stiffness;
+    let force = force(given, parts, breakpoint);
     if given.is_bearing(breakpoint) {
         // Negative only by rounding.
         return SupportForce::pushing(x, force.max(0.0));
@@ -260,17 +254,13 @@ fn support(given: &PiecewiseScene, parts: &[Part], i: usize, stiffness: f64) -> 
         pushes_only: false,
         at: x,
         force,
-        moment: holds.then_some(moment * stiffness),
-        couple: if holds {
-            (left[2] - right[2] + given.breakpoints[breakpoint].acts.couple()) * stiffness
-        } else {
-            0.0
-        },
+        moment: holds.then_some(moment),
+        couple: if holds { left[2] - right[2] + given.breakpoints[breakpoint].acts.couple() } else { 0.0 },
     }
 }
 
 /// The reaction of an elastic support.
-fn giving(given: &PiecewiseScene, parts: &[Part], spring: &AtSpring, stiffness: f64) -> SupportForce {
+fn giving(given: &PiecewiseScene, parts: &[Part], spring: &AtSpring) -> SupportForce {
     let AtSpring { breakpoint, stiffness: k, level, turning, pushes_only, acts } = *spring;
     let at = &given.breakpoints[breakpoint];
     if !acts {
@@ -279,13 +269,13 @@ fn giving(given: &PiecewiseScene, parts: &[Part], spring: &AtSpring, stiffness: 
     let ([left, right], v) = (beside(parts, at.x), part_at(parts, at.x, false).beam(at.x)[0]);
     let size = left[3].abs() + right[3].abs() + at.acts.force().abs();
     let size = if given.tension == 0.0 { size } else { size + given.tension.abs() * left[1].abs().max(right[1].abs()) };
-    let force = exerted(k, [v, level], force(given, parts, breakpoint), [v.abs(), size]);
+    let force = spring_force(k, [v, level], force(given, parts, breakpoint), [v.abs(), size]);
     SupportForce {
         at: at.x,
         // Negative only by rounding.
-        force: if pushes_only { force.max(0.0) } else { force } * stiffness + 0.0,
-        moment: turning.map(|_| -larger_moment([left[2], right[2]]) * stiffness),
-        couple: turning.map_or(0.0, |_| (left[2] - right[2] + at.acts.couple()) * stiffness),
+        force: if pushes_only { force.max(0.0) } else { force } + 0.0,
+        moment: turning.map(|_| -larger_moment([left[2], right[2]])),
+        couple: turning.map_or(0.0, |_| left[2] - right[2] + at.acts.couple()),
         pushes_only,
     }
 }
@@ -294,7 +284,7 @@ fn giving(given: &PiecewiseScene, parts: &[Part], spring: &AtSpring, stiffness: 
 fn in_springs(given: &PiecewiseScene, parts: &[Part]) -> f64 {
     let sunk = given.acting().map(|spring| {
         let x = given.breakpoints[spring.breakpoint].x;
-        let force = giving(given, parts, spring, 1.0).force;
+        let force = giving(given, parts, spring).force;
         let off = part_at(parts, x, false).beam(x)[0] - spring.level;
         // Of the two expressions, the one with more digits.
         0.5 * if spring.stiffness * off.abs() < force.abs() {
@@ -338,11 +328,9 @@ fn energy(given: &PiecewiseScene, parts: &[Part], springs: f64) -> f64 {
             0.5 * (bent * bent / part.stiffness + springs * part.ground * w * w + pulled) - given.load(cell, x) * v
         });
     }
-    let joints =
-        given.divisions.iter().map(|&i| &given.breakpoints[i]).filter(|at| 0.0 < at.joint && at.joint.is_finite());
-    let turned = joints.map(|at| {
-        let bent = part_at(parts, at.x, false).beam(at.x)[2];
-        0.5 * at.joint * bent * bent
+    let turned = given.elastic_joints().map(|(x, flexibility)| {
+        let bent = part_at(parts, x, false).beam(x)[2];
+        0.5 * flexibility * bent * bent
     });
     let sum = turned.fold(sum, |sum, turned| sum + turned);
     given.forces().fold(sum, |sum, &Breakpoint { x, acts, .. }| {

@@ -118,6 +118,6 @@ pub(super) fn force(given: &PiecewiseScene, parts: &[Part], breakpoint: usize) -
     let at = &given.breakpoints[breakpoint];
     let [before, behind] = beside(parts, at.x);
     let force = at.acts.force() - (behind[3] - before[3]);
-    let turns = at.x <= 0.0 || given.length <= at.x || at.joint != 0.0;
+    let turns = at.x <= 0.0 || given.length <= at.x || at.is_jointed();
     if given.tension != 0.0 && turns { force + given.tension * (behind[1] - before[1]) } else { force }
 }

@@ -306,7 +306,7 @@ impl<'a> Beam<'a> {
             })
         });
         let [a, b] = [0, 1].map(|side| link.end(side, at[side][0], beam[side][0]));
-        let stiffness = self.given.cells[link.cells[0]].stiffness;
+        let stiffness = self.stiffness(link);
         Span { a, b, at_a: at[0], at_b: at[1], beam_a: beam[0], beam_b: beam[1], stiffness, answer: None }
     }
 

@@ -19,12 +19,12 @@ use super::chain::solve;
 use super::{Part, Springs};
 use crate::scene::{Scene, Support};
 use crate::theory::acts::Acts;
-use crate::theory::asked::{Asked, NOTHING};
 use crate::theory::derivatives::{ContactDerivative, Derivative, Missing};
 use crate::theory::exact::Exact;
 use crate::theory::piecewise::PiecewiseScene;
 use crate::theory::sensitivity::Change;
 use crate::theory::shape::Shape;
+use crate::theory::variation::{NOTHING, Variation};
 
 /// Whether each support is inside the foundation: when a support enters it, a contact begins there.
 fn standing(scene: &Scene) -> impl Iterator<Item = bool> + '_ {
@@ -37,15 +37,16 @@ impl Exact {
         &self,
         springs: &Springs,
         scene: &Scene,
-        asked: Vec<Asked>,
+        variations: Vec<Variation>,
     ) -> Vec<Derivative> {
         let ties = self.has_ties(scene);
-        let by = |asked: Asked| {
+        let by = |variation: Variation| {
             let is_alike = |other: &Scene| standing(scene).eq(standing(other));
-            let one_sided = ties || asked.beside(scene).iter().any(|other| !other.as_ref().is_some_and(is_alike));
-            self.on_springs_by(springs, asked, one_sided)
+            let one_sided =
+                ties || variation.neighbouring_scenes(scene).iter().any(|other| !other.as_ref().is_some_and(is_alike));
+            self.on_springs_by(springs, variation, one_sided)
         };
-        asked.into_iter().filter(|_| self.solved).filter_map(by).collect()
+        variations.into_iter().filter(|_| self.solved).filter_map(by).collect()
     }
 
     /// Whether some compression-only support neither presses nor has a clearance.
@@ -63,9 +64,9 @@ impl Exact {
     }
 
     /// The derivative with respect to one number; [`None`] if a number leaves the range of `f64`.
-    fn on_springs_by(&self, springs: &Springs, asked: Asked, one_sided: bool) -> Option<Derivative> {
-        let Self { given, scale, .. } = self;
-        let Asked { by, change: [of, _], unit, .. } = asked;
+    fn on_springs_by(&self, springs: &Springs, variation: Variation, one_sided: bool) -> Option<Derivative> {
+        let Self { given, units, .. } = self;
+        let Variation { by, change: [of, _], unit, .. } = variation;
         let k = springs.stiffness;
         // When a stiffness changes, the penetration acts as a load.
         let sunk = match of {
@@ -75,9 +76,9 @@ impl Exact {
         };
         let changed = self.changed(of);
         let parts = solve(&changed, k, &springs.stretches, sunk)?.parts()?;
-        let of_force = |value: f64| value * self.stiffness * scale.force / unit + 0.0;
+        let of_force = |value: f64| value * units.force / unit + 0.0;
         let supports = self.state.supports.iter().map(|support| {
-            let at = given.breakpoints.partition_point(|b| b.x < support.at / scale.length);
+            let at = given.breakpoints.partition_point(|b| b.x < support.at / units.length);
             if given.support_at(at).is_none() {
                 return 0.0;
             }
@@ -93,11 +94,11 @@ impl Exact {
         let contact = |stretch: &[f64; 2]| {
             let own = if of == Change::Stiffen { sunk(&springs.parts, *stretch) } else { 0.0 };
             let [from, to] = [false, true]
-                .map(|end| self.moved_end(springs, &parts, stretch[usize::from(end)], end) * scale.length / unit + 0.0);
+                .map(|end| self.moved_end(springs, &parts, stretch[usize::from(end)], end) * units.length / unit + 0.0);
             ContactDerivative { from, to, force: of_force(own + sunk(&parts, *stretch)), end_forces: None }
         };
         let contacts: Vec<ContactDerivative> = springs.stretches.iter().map(contact).collect();
-        let energy = self.energy_on_springs_by(springs, of) * self.stiffness * scale.energy() / unit + 0.0;
+        let energy = self.energy_on_springs_by(springs, of) * units.energy() / unit + 0.0;
         let determined = contacts.iter().all(|contact| contact.from.is_finite() && contact.to.is_finite());
         Some(Derivative {
             by,

@@ -133,6 +133,11 @@ impl Beam<'_> {
         [force - self.given.tension * (slope(Some(i), 0) - slope(i.checked_sub(1), 1)), couple]
     }
 
+    /// `e` on a link.
+    pub(super) fn stiffness(&self, link: &Link) -> f64 {
+        self.given.cells[link.cells[0]].stiffness
+    }
+
     /// The flexibility of a joint at node `i`, zero if there is none.
     pub(super) fn joint(&self, i: usize) -> f64 {
         self.breakpoint(i).map_or(0.0, |breakpoint| self.given.breakpoints[breakpoint].joint)
@@ -251,7 +256,7 @@ impl Beam<'_> {
 
     /// The rotation of the base profile from its slope at the left end of a link to its chord, and from the chord to its slope at the
     /// right end.
-    pub(super) fn turned(&self, i: usize) -> [f64; 2] {
+    pub(super) fn base_rotations(&self, i: usize) -> [f64; 2] {
         let (link, l) = (&self.links[i], self.links[i].hi - self.links[i].lo);
         let [left, right] =
             [0, 1].map(|side| Some(&self.given.shapes[self.given.cells[self.base_cell(i, side)?].shape]));
@@ -268,8 +273,8 @@ impl Beam<'_> {
         let link = &self.links[i];
         let ([from, to], l) = ([0, 1].map(|side| link.end(side, 0.0, 0.0)), link.hi - link.lo);
         let ([g, k], [r, s]) = fixed_end_of_load(self.given, &from, &to);
-        let flex = l / self.given.cells[link.cells[0]].stiffness;
-        let [turn_a, turn_b] = self.turned(i);
+        let flex = self.given.curvature(link.cells[0], l);
+        let [turn_a, turn_b] = self.base_rotations(i);
         let own = [[-turn_a - flex * (g / 3.0 + k / 6.0), r], [turn_b + flex * (g / 6.0 + k / 3.0), -s]];
         Link { c: 1.0 / l, w: flex / 3.0, off: flex / 6.0, own, ..link.clone() }
     }
@@ -282,7 +287,7 @@ impl Beam<'_> {
     /// ```
     fn pressed(&self, link: &Link) -> Link {
         let (l, (k, _)) = (link.hi - link.lo, self.rates(link.cells[0]));
-        let e = self.given.cells[link.cells[0]].stiffness;
+        let e = self.stiffness(link);
         // W_m without its first term, and the first term.
         let wave = |m: u32| {
             let first = (1..=m).fold(1.0, |product, n| product * l / f64::from(n));
@@ -311,7 +316,7 @@ impl Beam<'_> {
     /// Effects of its ends do not reach the other end.
     fn deep(&self, link: &Link) -> Link {
         let (_, l) = self.rates(link.cells[0]);
-        let e = self.given.cells[link.cells[0]].stiffness;
+        let e = self.stiffness(link);
         let (eta, w, a) = match self.given.tension / e {
             0.0 => (l, 0.5 / l / e, e * (2.0 * l * l * l)),
             pull => Self::deep_under_tension(pull, l, e),
@@ -333,8 +338,7 @@ impl Beam<'_> {
         let terms = PRESSED_TERMS.iter().find(|(most, _)| lengths <= *most).map_or(0, |(_, terms)| *terms);
         let terms = terms.max(self.given.terms);
         let (mut clear, mut deflection) = (vec![0.0; terms], vec![0.0; terms]);
-        let cell = link.cells[0];
-        let e = self.given.cells[cell].stiffness;
+        let (cell, e) = (link.cells[0], self.stiffness(link));
         let (bend, third) = (moment / 2.0 / e, shear / 6.0 / e);
         self.given.profile(cell, link.lo, &mut clear);
         deflection[..4].copy_from_slice(&[clear[0] - h, clear[1] - h1, -bend, -third]);
@@ -355,7 +359,7 @@ impl Beam<'_> {
     /// The particular polynomials deep in a zone, `h` and `v` about its left end.
     pub(super) fn following(&self, link: &Link) -> [Vec<f64>; 2] {
         let (cell, size) = (link.cells[0], self.given.terms.max(link.drive.len()));
-        let ((springs, _), e) = (self.rates(cell), self.given.cells[cell].stiffness);
+        let ((springs, _), e) = (self.rates(cell), self.stiffness(link));
         let mut profile = vec![0.0; size];
         self.given.profile(cell, link.lo, &mut profile);
         let mut drive = fourth(&profile);

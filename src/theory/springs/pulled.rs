@@ -27,7 +27,7 @@ impl Beam<'_> {
         let link = &self.links[i];
         let ends = [0, 1].map(|side| link.end(side, 0.0, 0.0));
         let Some(tense) = Tense::of(self.given, &ends, Drive::Load, -1.0) else { return link.clone() };
-        let ([c, pull, w, off, _], [turn_a, turn_b]) = (tense.law, self.turned(i));
+        let ([c, pull, w, off, _], [turn_a, turn_b]) = (tense.law, self.base_rotations(i));
         let [[a, r, _], [b, s, _]] = tense.own;
         let own = [[a - turn_a, r + tense.force * turn_a], [b + turn_b, s - tense.force * turn_b]];
         Link { c, w, off, pull, own, ..link.clone() }
@@ -36,7 +36,7 @@ impl Beam<'_> {
     /// A part of the beam under pressure of the foundation.
     pub(super) fn pressed_under_tension(&self, link: &Link) -> Link {
         let (l, (k, _)) = (link.hi - link.lo, self.rates(link.cells[0]));
-        let e = self.given.cells[link.cells[0]].stiffness;
+        let e = self.stiffness(link);
         let pull = self.given.tension / e;
         let [g, g1, g2, g3] = derivatives(&series(k, pull, [0.0, 0.0, 0.0, 1.0 / 6.0]), l);
         let mut less = series(k, pull, [1.0, 0.0, 0.0, 0.0]);

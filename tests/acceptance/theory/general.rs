@@ -181,6 +181,25 @@ fn couples_on_grids() {
 /// A scene with from, to and force of its contacts, and its largest moment, least moment and energy.
 type Case<'a> = (&'a str, &'a [[f64; 3]], [f64; 3]);
 
+#[track_caller]
+fn check_case((text, contacts, [most, least, energy]): Case<'_>) {
+    let state = certified(text);
+    // Of a symmetric beam the left half is listed.
+    assert!(contacts.len() <= state.contacts.len(), "{text}");
+    for (found, [from, to, force]) in state.contacts.iter().zip(contacts) {
+        for (what, found, expected) in
+            [("from", found.from, *from), ("to", found.to, *to), ("force", found.force, *force)]
+        {
+            check(what, found, expected);
+        }
+    }
+    check("largest moment", state.moment.max, most);
+    assert!((state.moment.min - least).abs() <= DIGITS * most.max(least.abs()), "least moment {}", state.moment.min);
+    if energy.is_finite() {
+        check("energy", state.energy, energy);
+    }
+}
+
 /// Scenes with a stiffness in steps, and numbers of 16 digits from another engine: two stiffnesses on flat ground, a ski, a pipe with a
 /// thick piece over a sleeper, a step on a wave.
 #[test]
@@ -228,25 +247,7 @@ fn steps_of_the_bending_stiffness() {
             [4.414_199_917_257_202, -5.859_181_261_383_195, -9.287_179_930_948_229],
         ),
     ];
-    for (text, contacts, [most, least, energy]) in cases {
-        let state = certified(text);
-        for (found, [from, to, force]) in state.contacts.iter().zip(contacts) {
-            for (what, found, expected) in
-                [("from", found.from, *from), ("to", found.to, *to), ("force", found.force, *force)]
-            {
-                check(what, found, expected);
-            }
-        }
-        check("largest moment", state.moment.max, most);
-        assert!(
-            (state.moment.min - least).abs() <= DIGITS * most.max(least.abs()),
-            "least moment {}",
-            state.moment.min
-        );
-        if energy.is_finite() {
-            check("energy", state.energy, energy);
-        }
-    }
+    cases.into_iter().for_each(check_case);
 }
 
 /// `P l³/3 EI` by parts, and what is nothing: a step of no height changes no number, nor does any scale of forces.

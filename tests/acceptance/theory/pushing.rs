@@ -268,6 +268,25 @@ fn levels_far_beyond_the_sag_leave_forces_certain() {
     assert!((60..150).contains(&on_two) && 60 <= lifted, "{on_two} on two, {lifted} off one");
 }
 
+/// The levels differ by far more than the beam bends, and no list of the chain of links leads to the answer: the supports of a rigid beam
+/// do. Forces by statics.
+#[test]
+fn a_stiff_beam_rests_on_two_of_many_supports() {
+    const AT: [[f64; 2]; 5] = [[1.9, 15e3], [4.0, 41e3], [4.2, 23e3], [4.3, -20e3], [9.7, 32e3]];
+    let (q, [at, force]) = (1.7, [5.5, 2.4]);
+    let beam =
+        Beam::new(10.0, 4.8e8).and_then(|beam| beam.with_supports(AT.map(|[at, level]| pushing(at, level)).to_vec()));
+    let beam = beam.expect("a beam");
+    let load = Load::new(&beam, q, Vec::new(), vec![PointLoad { at, force }]).expect("a load");
+    let found = forces(&Scene::new(beam, load, None).expect("a scene"));
+    let right = (10.0 * q * (5.0 - 4.3) + force * (at - 4.3)) / (9.7 - 4.3);
+    let expected = [0.0, 0.0, 0.0, 10.0 * q + force - right, right];
+    for (found, expected) in found.iter().zip(expected) {
+        assert!((found - expected).abs() <= DIGITS * (10.0 * q + force), "{found} instead of {expected}");
+    }
+    assert_eq!(found.len(), expected.len());
+}
+
 /// By places and levels of all supports, loads, stiffness and depth.
 #[test]
 fn derivatives_agree_with_differences() {

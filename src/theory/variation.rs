@@ -16,7 +16,7 @@ const NEAR: f64 = 1e-4;
 
 /// A derivative to be computed.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Asked {
+pub(super) struct Variation {
     pub(super) by: By,
     /// The change as the number falls, and as it grows. They differ where a support moves across a corner of the initial shape.
     pub(super) change: [Change; 2],
@@ -25,12 +25,12 @@ pub(super) struct Asked {
     pub(super) least: f64,
 }
 
-impl Asked {
+impl Variation {
     /// For each side, as the number falls and as it grows: whether an answer with the same contacts exists there, close to this one.
     /// Computed from the answers of both neighbouring scenes.
-    pub(super) fn sides(&self, scene: &Scene, exact: &Exact) -> [bool; 2] {
-        self.beside(scene).map(|beside| {
-            let there = beside.and_then(|beside| exact.goes_on_in(&beside));
+    pub(super) fn continues_beside(&self, scene: &Scene, exact: &Exact) -> [bool; 2] {
+        self.neighbouring_scenes(scene).map(|beside| {
+            let there = beside.and_then(|beside| exact.continued_in(&beside));
             there.is_some_and(|there| is_next_to(exact, &there, scene.beam().length()))
         })
     }
@@ -43,18 +43,18 @@ impl Asked {
     }
 
     /// Whether the answer is certain to continue on both sides; `changes` are the changes of the nodes on each side.
-    pub(super) fn goes_on(&self, leeway: &Leeway<'_>, changes: &[Vec<NodeChange>; 2]) -> bool {
+    pub(super) fn is_certain_to_continue(&self, leeway: &Leeway<'_>, changes: &[Vec<NodeChange>; 2]) -> bool {
         let step = self.least / self.unit;
-        self.change.iter().zip(changes).all(|(of, changes)| leeway.holds(*of, changes, step, NEAR))
+        self.change.iter().zip(changes).all(|(of, changes)| leeway.contacts_remain(*of, changes, step, NEAR))
     }
 
     /// The neighbouring scene on each side, if there is one.
-    pub(super) fn beside(&self, scene: &Scene) -> [Option<Scene>; 2] {
-        [-self.least, self.least].map(|step| self.moved(scene, step))
+    pub(super) fn neighbouring_scenes(&self, scene: &Scene) -> [Option<Scene>; 2] {
+        [-self.least, self.least].map(|step| self.changed_scene(scene, step))
     }
 
     /// The scene with its number changed by a step.
-    pub(super) fn moved(&self, scene: &Scene, step: f64) -> Option<Scene> {
+    pub(super) fn changed_scene(&self, scene: &Scene, step: f64) -> Option<Scene> {
         match self.by {
             By::Depth => scene.with_ground_moved(step).ok(),
             By::Number(quantity) => scene.with_number(quantity, scene.number(quantity)? + step).ok(),
@@ -90,39 +90,39 @@ fn longest_stretch(beam: &Beam) -> f64 {
 
 impl Exact {
     /// All derivatives to be computed, in their order.
-    pub(super) fn asked(&self, scene: &Scene) -> Vec<Asked> {
+    pub(super) fn variations(&self, scene: &Scene) -> Vec<Variation> {
         // The influence of a change fades over a few supports, so the longest stretch between supports sets the size.
-        let (scale, length) = (&self.scale, longest_stretch(scene.beam()));
+        let (units, length) = (&self.units, longest_stretch(scene.beam()));
         let forces = self.state.supports.iter().map(|support| support.force.abs());
-        let load = self.given.total_load * self.stiffness * scale.force * (length / scene.beam().length());
+        let load = self.given.total_load * units.force * (length / scene.beam().length());
         let force = forces.chain([self.state.contact_force()]).fold(load, f64::max);
         // At least the deflection that the loads alone would cause in a beam at rest.
-        let part = length / scale.length;
-        let at_rest = force / scale.force * scale.depth / 384.0 * (part * part * part);
+        let part = length / units.length;
+        let at_rest = force / units.force * units.depth / 384.0 * (part * part * part);
         let depth = self.state.deflection.magnitude().max(at_rest);
-        let asked = |by, change, unit, size: f64| Asked { by, change: [change; 2], unit, least: NOTHING * size };
-        let number = |quantity, change, unit, size| asked(By::Number(quantity), change, unit, size);
+        let variation =
+            |by, change, unit, size: f64| Variation { by, change: [change; 2], unit, least: NOTHING * size };
+        let number = |quantity, change, unit, size| variation(By::Number(quantity), change, unit, size);
         let mut all = Vec::new();
-        all.extend(scene.foundation().map(|_| asked(By::Depth, Change::Ground, scale.depth, depth)));
+        all.extend(scene.foundation().map(|_| variation(By::Depth, Change::Ground, units.depth, depth)));
         let stiffness = scene.beam().bending_stiffness();
         // If the stiffness changes in steps, each step is a number of its own.
         let is_uniform = scene.beam().changes().next().is_none();
         all.extend(is_uniform.then(|| number(Quantity::BendingStiffness, Change::Unload, stiffness, stiffness)));
         let ground = scene.ground_stiffness().filter(|_| scene.ground_changes().next().is_none());
         all.extend(ground.map(|k| number(Quantity::GroundStiffness, Change::Stiffen, k, k)));
-        let more = 1.0 / self.stiffness;
-        all.push(number(Quantity::Uniform, Change::Uniform(more), scale.force / scale.length, force / length));
+        all.push(number(Quantity::Uniform, Change::Uniform(1.0), units.pressure(), force / length));
         for (i, load) in scene.load().point().iter().enumerate() {
-            let (at, size) = (load.at / scale.length, load.force / scale.force / self.stiffness);
-            all.push(number(Quantity::PointForce(i), Change::Force(at, more), scale.force, force));
-            all.push(number(Quantity::PointAt(i), Change::Move(at, size), scale.length, length));
+            let (at, size) = (load.at / units.length, load.force / units.force);
+            all.push(number(Quantity::PointForce(i), Change::Force(at, 1.0), units.force, force));
+            all.push(number(Quantity::PointAt(i), Change::Move(at, size), units.length, length));
         }
         for (given, support) in scene.beam().supports_as_given().into_iter().enumerate() {
             let Some(i) = self.index_of(scene, &support) else { continue };
-            all.push(number(Quantity::SupportLevel(given), Change::Level(i), scale.depth, depth));
+            all.push(number(Quantity::SupportLevel(given), Change::Level(i), units.depth, depth));
             let moves = self.axis_beside(scene, support.at).map(|axis| Change::Support(i, axis));
-            let place = asked(By::Number(Quantity::SupportAt(given)), moves[0], scale.length, length);
-            all.extend(self.springs.is_none().then_some(Asked { change: moves, ..place }));
+            let place = variation(By::Number(Quantity::SupportAt(given)), moves[0], units.length, length);
+            all.extend(self.springs.is_none().then_some(Variation { change: moves, ..place }));
         }
         all
     }
@@ -131,7 +131,7 @@ impl Exact {
     /// breakpoint.
     fn index_of(&self, scene: &Scene, support: &Support) -> Option<usize> {
         if self.springs.is_some() {
-            return self.given.breakpoint_at(support.at / self.scale.length);
+            return self.given.breakpoint_at(support.at / self.units.length);
         }
         let before = |these: &[Support]| these.iter().filter(|s| s.at < support.at).count();
         let (held, bearings) = (scene.beam().supports(), scene.beam().bearings());
@@ -140,9 +140,9 @@ impl Exact {
 
     /// Slope and curvature of the initial shape to the left and to the right of a position, dimensionless.
     fn axis_beside(&self, scene: &Scene, x: f64) -> [[f64; 2]; 2] {
-        let unit = self.scale.length / self.scale.depth;
+        let unit = 1.0 / self.units.slope();
         let Some(shape) = scene.beam().shape() else { return [[0.0; 2]; 2] };
-        shape.sides(x).map(|[_, slope]| [slope * unit, curvature(shape, x) * unit * self.scale.length])
+        shape.sides(x).map(|[_, slope]| [slope * unit, curvature(shape, x) * unit * self.units.length])
     }
 }
 
