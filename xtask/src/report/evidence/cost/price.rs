@@ -120,7 +120,7 @@ fn panels(fronts: &[[Vec<&Line>; 5]; 2], exact: [Option<f64>; 2]) -> Vec<Panel> 
     let panels = fronts.iter().zip(exact).zip(GROUNDS).map(|((fronts, exact), (_, ground))| {
         let x = Axis::new("correct digits").including(&digits).including(&[0.0]);
         let y = Axis::new(format!("{ground}: time")).unit(Some("ms".to_owned()));
-        let mut panel = Panel::new(x, y.log().including(&times)).tall(800.0).room(40.0, 70.0);
+        let mut panel = Panel::new(x, y.log().including(&times)).tall(800.0).room(110.0, 70.0);
         for (k, (front, solver)) in fronts.iter().zip(SOLVERS).enumerate() {
             let style = Style { dash: Some(Dash::Solid), ..Style::of_series(k) };
             let factor = one_digit(front).map(|[time, _]| format!(" × {}", significant(time, 2))).unwrap_or_default();
