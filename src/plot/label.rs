@@ -50,12 +50,6 @@ impl Frame {
         self.ends_at(x) && self.right + BESIDE + text_width(name, Type::PLAIN) <= self.outer
     }
 
-    /// The line from a point to the nearest point of its label, if the label is far from it.
-    fn leader(&self, at: Point) -> Option<[Point; 2]> {
-        let near = [at[0].clamp(self.left, self.right), at[1].clamp(self.top, self.bottom)];
-        (FAR < (near[0] - at[0]).abs().max((near[1] - at[1]).abs())).then_some([at, near])
-    }
-
     fn holds(&self, [x, y]: Point) -> bool {
         (self.left..=self.right).contains(&x) && (self.top..=self.bottom).contains(&y)
     }
@@ -134,8 +128,10 @@ impl Labels {
                 continue;
             }
             taken.push(frame);
-            if let Some(leader) = frame.leader(label.at) {
-                canvas.line(&leader, Color::GRAY, 2, Dash::Solid)?;
+            // From the point to the nearest point of the label.
+            let near = [label.at[0].clamp(frame.left, frame.right), label.at[1].clamp(frame.top, frame.bottom)];
+            if FAR < (near[0] - label.at[0]).abs().max((near[1] - label.at[1]).abs()) {
+                canvas.line(&[label.at, near], Color::GRAY, 2, Dash::Solid)?;
             }
             if self.ink.iter().any(|p| frame.covers(*p)) {
                 canvas.rectangle([frame.left, frame.top], [frame.right, frame.bottom], Color::WHITE, 0.8)?;
@@ -150,8 +146,6 @@ impl Labels {
     fn place(&self, label: &Label, bounds: &Frame, taken: &[Frame]) -> Frame {
         /// Covering a label costs more than covering any number of points of lines.
         const COVERED_LABEL: f64 = 1e4;
-        /// A leader across a line costs more than a longer one, which is at most five rings.
-        const CROSSED: f64 = 30.0;
         let kind = Type::PLAIN;
         let (width, height) = (text_width(&label.text, kind) + 14.0, 1.2 * kind.size);
         /// Distance between the left edge of the frame, which is an axis, and a label.
@@ -191,14 +185,9 @@ impl Labels {
                     outer: x + 0.5 * width,
                 };
                 let covered = taken.iter().filter(|t| t.meets(&frame)).count();
-                let struck = |leader: [Point; 2]| near.iter().filter(|p| is_on(leader, **p)).count();
                 let crossed = near.iter().filter(|p| frame.holds(**p)).count() + usize::from(frame.holds(label.at));
-                let struck = frame.leader(label.at).map_or(0, struck);
-                let cost = COVERED_LABEL * count(covered)
-                    + CROSSED * count(struck)
-                    + 6.0 * count(crossed)
-                    + 5.0 * count(ring)
-                    + 0.5 * count(turn);
+                let cost =
+                    COVERED_LABEL * count(covered) + 6.0 * count(crossed) + 5.0 * count(ring) + 0.5 * count(turn);
                 if best.is_none_or(|(least, _)| cost < least) {
                     best = Some((cost, frame));
                 }
@@ -234,14 +223,6 @@ pub(super) fn apart(wanted: &[f64], [low, high]: [f64; 2], distance: f64) -> Vec
         places.extend((0..n).map(|k| first + distance * (count(k) + 0.5)));
     }
     places
-}
-
-/// Whether a leader strikes a point of a line, other than near its beginning, where its own line is.
-fn is_on([from, to]: [Point; 2], [x, y]: Point) -> bool {
-    let [dx, dy] = [to[0] - from[0], to[1] - from[1]];
-    let length = libm::hypot(dx, dy);
-    let (along, across) = ((x - from[0]) * dx + (y - from[1]) * dy, (x - from[0]) * dy - (y - from[1]) * dx);
-    (FAR * length..=length * length).contains(&along) && across.abs() <= 0.5 * INK * length
 }
 
 /// Points along a line, at most `step` apart, which labels should not cover.
@@ -290,24 +271,6 @@ mod tests {
             assert!(!frame.covers(place), "{place:?}");
         }
         assert!(frame.covers([4.0, 46.0]));
-    }
-
-    /// A wall of lines to the right of the point: there the label would be nearest, if its leader might cross them.
-    #[test]
-    fn a_leader_crosses_no_line() {
-        let bounds = Frame { left: 0.0, top: 0.0, right: 1000.0, bottom: 1000.0, outer: 1000.0 };
-        let mut labels = Labels::default();
-        // All around the point but for a way out to the left.
-        for k in 0..100 {
-            let along = 9.0 * f64::from(k);
-            labels.avoid([[60.0 + along, 380.0], [60.0 + along, 620.0], [600.0, 380.0 + 2.4 * f64::from(k)]]);
-            labels.avoid((0..26).map(|row| [360.0 + 9.0 * f64::from(k % 26), 385.0 + 9.0 * f64::from(row)]));
-        }
-        let at = [480.0, 500.0];
-        let frame = labels.place(&Label::new("h = 2", at, Color::GRAY), &bounds, &[]);
-        let leader = frame.leader(at).expect("the label is far");
-        let struck = labels.ink.iter().filter(|p| is_on(leader, **p)).count();
-        assert!(frame.right < 360.0, "{frame:?}: {struck} points");
     }
 
     #[test]
