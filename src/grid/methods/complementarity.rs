@@ -14,8 +14,8 @@
 
 // Discrepancy: finite-difference-equations
 //
-// The difference scheme is among the lost equations (6)–(16). It is rebuilt from (5), (7), (8) with central differences, the only
-// formula of second order for `v''''` on five nodes. The paper prints no number for this method.
+// The difference scheme is rebuilt from (5), (7), (8) with central differences, the only formula of second order for `v''''` on five
+// nodes. The paper prints no number for this method.
 
 use super::Discrete;
 use crate::qp::Matrix;

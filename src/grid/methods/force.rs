@@ -20,8 +20,7 @@
 
 // Discrepancy: quadratic-program
 //
-// The quadratic program is among the lost equations (29)–(32). It is rebuilt from (28), its gradient (33) and its optimality
-// conditions (34), (35), which survive.
+// The quadratic program (32) is rebuilt from (28), its gradient (33) and its optimality conditions (34), (35).
 
 use nalgebra::DMatrix;
 
