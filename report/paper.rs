@@ -128,8 +128,8 @@ pub fn four_steps(program: &Program) -> (Vector<f64>, usize) {
 }
 
 /// They lead to the edge of the feasible set, "from where one can continue with some algorithm of nonlinear
-/// optimisation". Here it is an active set: go to the solution on the free variables, or as far as `x ≥ 0` allows, and
-/// hold what meets zero. At a solution, free the steepest of those held. Energy falls from one to the next: it ends.
+/// optimisation". Here it is an active set: move towards the solution on the free variables until one reaches zero,
+/// and fix it there. At a solution, free the fixed variable of most negative `g`. Each solution has less energy: it ends.
 pub fn active_set(program: &Program) -> (Vector<f64>, usize) {
     let (mut x, mut steps) = four_steps(program);
     let mut free: Vec<usize> = (0..x.len()).filter(|&i| 0.0 < x[i]).collect();

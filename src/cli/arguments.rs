@@ -38,7 +38,7 @@ pub(super) struct Arguments {
 const EXIT_CODES: &str = "\
 Exit codes:
   0  the answer is certified
-  1  it is not, or there is none; what there is is printed, with the reason
+  1  it is not certified, or there is no answer; the reason is printed, with the answer if there is one
   2  bad input or usage; the message is on standard error, nothing else is printed or written";
 
 const SOLVE_EXAMPLES: &str = "\

@@ -175,10 +175,12 @@ pub(super) fn text_width(text: &str, kind: Type) -> f64 {
     f64::from(u16::try_from(text.chars().count()).unwrap_or(u16::MAX)) * em * kind.size
 }
 
-/// `text` in lines of at most `width`, broken at spaces.
+/// `text` in lines of at most `width`, broken at spaces, but not within a unit in brackets at its end.
 pub(super) fn wrapped(text: &str, width: f64, kind: Type) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
-    for word in text.split_whitespace() {
+    let unit = text.rfind(" [").filter(|_| text.ends_with(']'));
+    let (words, unit) = text.split_at(unit.unwrap_or(text.len()));
+    for word in words.split_whitespace().chain(Some(unit.trim()).filter(|unit| !unit.is_empty())) {
         match lines.last_mut() {
             Some(line) if text_width(line, kind) + text_width(word, kind) + kind.size < width => {
                 line.push(' ');
@@ -282,4 +284,17 @@ pub(super) fn dashes(line: &[Point], pattern: &[f64]) -> Vec<Vec<Point>> {
         strokes.push(stroke);
     }
     strokes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Type, wrapped};
+
+    #[test]
+    fn no_line_is_broken_within_a_unit() {
+        let lines = |text: &str| wrapped(text, 20.0 * 0.58 * Type::PLAIN.size, Type::PLAIN);
+        assert_eq!(lines("clearance v, [10⁻⁶ m]"), ["clearance v,", "[10⁻⁶ m]"]);
+        assert_eq!(lines("clearance [10⁻⁶ m]"), ["clearance [10⁻⁶ m]"]);
+        assert_eq!(lines("a beam [wide] on rock at sea"), ["a beam [wide] on", "rock at sea"], "no unit");
+    }
 }

@@ -141,10 +141,12 @@ fn footroom(ground: &Ground) -> f64 {
 }
 
 fn shape(scene: &Scene, curves: &Curves, ground: &Ground, units: &UnitLabels) -> Result<Panel, PlotError> {
-    let words = if curves.shape.is_empty() {
-        "deflection v and foundation u, downwards"
-    } else {
-        "axis w0 + v of the beam and foundation u, downwards"
+    let has_ground = !(ground.pieces.is_empty() && ground.below.is_empty());
+    let words = match (curves.shape.is_empty(), has_ground) {
+        (true, true) => "deflection v and foundation u, downwards",
+        (true, false) => "deflection v, downwards",
+        (false, true) => "axis w0 + v of the beam and foundation u, downwards",
+        (false, false) => "axis w0 + v of the beam, downwards",
     };
     let y = Axis::new(words).unit(UnitLabels::of_axes(scene.units()).length).down().including(&[0.0]);
     let mut panel = Panel::new(along(scene), y).tall(640.0);

@@ -14,9 +14,8 @@
 
 // Discrepancy: finite-difference-equations
 //
-// Equations (6)–(16), among them the difference scheme, are lost. The scheme is rebuilt from (5), (7), (8) with central differences,
-// the only formula of second order for `v''''` on five nodes. It gives 1.191071 for the first contact force of the example with 30
-// intervals; the paper prints no number for this method.
+// The difference scheme is rebuilt from (5), (7), (8) with central differences, the only formula of second order for `v''''` on five
+// nodes. The paper prints no number for this method.
 
 use super::Discrete;
 use crate::qp::Matrix;

@@ -15,9 +15,8 @@
 
 // Discrepancy: condensed-stiffness
 //
-// Equations (19)–(24) are lost. The text states that cubic shape functions are used, and that they are exact for loads and contact
-// pressures that are point forces. So `K` of (20) is the stiffness of cubic elements with the rotations condensed, and the loads are
-// nodal forces `q₀Δ`. The inverse of this `K` is the `C` of (26).
+// By the text shape functions are cubic, and exact for point forces. So `K` of (20) is the stiffness of cubic elements with the
+// rotations condensed, and the loads are nodal forces `q₀Δ`. The inverse of this `K` is the `C` of (26).
 
 use nalgebra::{DMatrix, DVector};
 

@@ -20,8 +20,7 @@
 
 // Discrepancy: quadratic-program
 //
-// Equations (29)–(32), among them the quadratic program "minimise ½ xᵀA x − bᵀx, x ≥ 0", are lost. It is rebuilt from its gradient
-// (33), its optimality conditions (34), (35) and from (28), which survive.
+// The quadratic program (32) is rebuilt from (28), its gradient (33) and its optimality conditions (34), (35).
 
 use nalgebra::DMatrix;
 

@@ -39,8 +39,8 @@
 
 // Discrepancy: beyond-four-steps
 //
-// For the continuation the paper names "some algorithm of nonlinear optimisation". Ours fixes and releases many variables at a time
-// (Portugal, Júdice and Vicente 1994), with the step of Lawson and Hanson (1974) that makes it finite.
+// The paper continues with "some algorithm of nonlinear optimisation". Ours fixes and releases many variables at a time (Portugal,
+// Júdice and Vicente 1994), with the step of Lawson and Hanson (1974) that makes it finite.
 
 use super::{Answer, MOST_WORK, Run};
 use crate::qp::{FreeSet, NotPositiveDefinite, Qp, Stationary};

@@ -15,8 +15,8 @@
 
 // Discrepancy: four-step-solution
 //
-// Step 2° reads "if x ≥ 0, the solution has been found"; the text above it says that another algorithm can continue from there.
-// `four-step` is the algorithm as printed, `active-set` continues. Of two equally small components the first is set to zero.
+// Step 2° reads "if x ≥ 0, the solution has been found". `four-step` is the algorithm as printed; of two equally small components it
+// sets the first to zero.
 
 use super::{Answer, Run};
 use crate::qp::{FreeSet, NotPositiveDefinite, Qp, Stationary};

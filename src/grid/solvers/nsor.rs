@@ -14,8 +14,8 @@
 
 // Discrepancy: nsor-relaxation
 //
-// The paper gives neither a relaxation factor nor a stopping rule for NSOR. We try the factors listed in `nsor.rs` and stop on the
-// scaled residual of the optimality conditions.
+// The paper gives neither a relaxation factor nor a stopping rule. We try nine factors and stop on the scaled residual of the
+// optimality conditions.
 
 use super::{Answer, Run, no_matrix, too_large};
 use crate::qp::{Matrix, Qp, residual};

@@ -2,6 +2,7 @@
 
 mod general;
 mod guide;
+mod supports;
 
 use std::collections::BTreeMap;
 use std::fmt::Debug;

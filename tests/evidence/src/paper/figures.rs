@@ -2,12 +2,11 @@
 
 // Discrepancy: lost-figures
 //
-// All drawings are lost, and so are the captions of Figures 7 and 8, which show results on 30 intervals with beam theory dashed. We draw
-// the contact forces in Figure 7 and the deflection in Figure 8.
+// All drawings are lost, and the captions of Figures 7 and 8. We draw the contact forces in Figure 7 and the deflection in Figure 8.
 
 // Discrepancy: figure-4-intervals
 //
-// The label of Figure 4 has n = 30, the text n = 29 for 30 intervals. We use 30 intervals, as in Figures 7 and 8.
+// Figure 4 is labelled n = 30; in the text n = 29 means 30 intervals, which we use.
 
 use super::{INTERVALS, example, theory};
 use crate::closed::FlatSolution;

@@ -4,8 +4,8 @@
 
 // Discrepancy: reaction-of-the-example
 //
-// The paper gives 1,14 for "the reaction" (n = 29). The end reaction is 1.0194 from the interior loads alone and 1.1860 with the load of
-// half an interval at the support. The force at the first node in contact, x = 7/3, is 1.14197, and we use this one.
+// The paper gives 1,14 for "the reaction" (n = 29), which is the force at the first node in contact. The end reaction is 1.0194 from
+// the interior loads alone and 1.1860 with the load of half an interval at the support.
 
 pub mod claims;
 pub mod convergence;

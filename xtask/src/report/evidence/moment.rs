@@ -57,7 +57,7 @@ fn near_lift_off(scene: &Scene, exact: &Exact) -> Result<Panel, Cause> {
     let [from, to] = [0.7, 1.4].map(|share: f64| share * lift_off);
     let places = (0..=SAMPLES).map(|i| from + (to - from) * f64::from(i) / f64::from(SAMPLES));
     let dashed = places.map(|x| [x, exact.moment(x)]).collect();
-    let axis = Axis::new("bending moment M, downwards [force·length]").down();
+    let axis = Axis::new("bending moment M [force·length]").down();
     // The names stand one below the other where no moment is.
     let mut name = [0.75 * to + 0.25 * from, 0.2];
     let mut panel =
@@ -96,11 +96,11 @@ fn over_intervals(moments: &[Place], supports: &[Place]) -> Panel {
         panel = panel.with(Layer::named(line, style, format!("order {order}")));
     }
     // The names stand where no marks are: above the moments of fine grids, below the reactions of coarse ones.
-    let (above, below) = ([0.1 * ends[1], 0.1], [5.0 * ends[0], 1e-6]);
+    let (above, below) = ([0.15 * ends[1], 0.1], [5.0 * ends[0], 1e-6]);
     let marks = |errors: &[Place], color| Layer::line(errors.to_vec(), Style::marks(color, Marker::OpenCircle));
     panel
         .with(marks(moments, Color::VERMILLION))
         .with(marks(supports, Color::BLUE))
-        .with(Layer::words(above, Color::VERMILLION, "worst nodal moment"))
+        .with(Layer::words(above, Color::VERMILLION, "nodal moment"))
         .with(Layer::words(below, Color::BLUE, "reactions"))
 }

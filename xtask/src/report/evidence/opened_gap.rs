@@ -158,7 +158,7 @@ fn panels(all: &[Found]) -> Vec<Panel> {
             let axis = Axis::new(format!("{}: {what}", found.name)).unit(Some(unit.to_owned()));
             let axis = if k == 1 { axis } else { axis.down() };
             let color = if k == 1 { Color::BLUE } else { Color::VERMILLION };
-            let mut panel = Panel::new(Axis { padding: 0.0, ..Axis::along("x (length)", ends) }, axis);
+            let mut panel = Panel::new(Axis { padding: 0.0, ..Axis::along("x [length]", ends) }, axis);
             if k == 1 {
                 panel =
                     panel.with(Layer::zero_line(ends)).with(Layer::Area { points: points.clone(), level: 0.0, color });

@@ -161,7 +161,7 @@ fn drawn(study: &Study<'_>, lines: &[Line], values: Value) -> Result<Drawn, Caus
     let mut data = Table::new(["family", "observable", "intervals", "median", "worst", "scenes"]);
     let mut panels = Vec::new();
     for family in Family::ALL {
-        let y = Axis::new(format!("{}: error", family.name())).log().including(&[1e-8, 1.0]);
+        let y = Axis::new(format!("{}: relative error", family.name())).log().including(&[1e-8, 1.0]);
         let mut panel = Panel::new(Axis::new("intervals N").log(), y).tall(620.0);
         for (k, of) in DRAWN.into_iter().enumerate() {
             let found = || GRIDS.into_iter().filter_map(|n| Some((n, on(lines, family, Method::Force, n, of)?)));
@@ -190,8 +190,7 @@ fn sentence(lines: &[Line]) -> String {
         format!("{} ({})", cell(factor.map(|s| s.median), 2), family.name())
     };
     format!(
-        "**For one more correct digit of the reactions multiply the intervals by** {}, the medians of {} problems each. The grid-free \
-         solution is accurate to rounding.",
+        "**On a grid multiply the intervals for one more correct digit of the reactions by** {}, the medians of {} problems each.",
         Family::ALL.map(digits).join(", "),
         SCENES[0]
     )

@@ -51,8 +51,8 @@ fn sketched(scene: &Scene, curves: &Curves) -> Panel {
         couples: Vec::new(),
     };
     let lifted = 0.05 * l;
-    let x = Axis::along("x, from the left support to the right one at l", [0.0, l]);
-    Panel::new(x, Axis::new("depth and deflection, downwards").down().including(&[0.0]))
+    let x = Axis::along("x [length], from the left support to the right one at l", [0.0, l]);
+    Panel::new(x, Axis::new("depth and deflection, downwards [length]").down().including(&[0.0]))
         .tall(880.0)
         .room(350.0, 130.0)
         .forces(Axis::new("").bare())

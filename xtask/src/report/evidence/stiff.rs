@@ -274,7 +274,7 @@ fn over_stiffness(answers: &[Answer], rigid: &Rigid) -> Vec<Panel> {
         answers.iter().map(|answer| [answer.ground, of(answer)]).collect()
     };
     let panel = |label: &str, numbers: &[usize]| {
-        let x = Axis { padding: 0.0, ..Axis::new("stiffness k").log() };
+        let x = Axis { padding: 0.0, ..Axis::new("stiffness k [force/length²]").log() };
         let mut panel = Panel::new(x, Axis::new(label).log()).tall(900.0);
         for &number in numbers {
             let (color, whole) = (Style::of_series(number).color, points(number, false));
@@ -286,7 +286,7 @@ fn over_stiffness(answers: &[Answer], rigid: &Rigid) -> Vec<Panel> {
         }
         panel
     };
-    vec![panel("relative to rigid ground, and to u", &[0, 1, 2]), panel("largest pressure over q", &[3])]
+    vec![panel("relative error, penetration over u", &[0, 1, 2]), panel("largest pressure over q", &[3])]
 }
 
 /// Places of a drawing: before and behind strip, gap and the beginning of the zone.
@@ -311,7 +311,9 @@ fn strips(answers: &[Answer]) -> Result<Vec<Panel>, Cause> {
     for answer in answers {
         let [from, to, zone] = answer.gap()?;
         let (samples, [start, end]) = (sampled(answer)?, window(answer)?);
-        for (k, name, color) in [(1, "pressure", Color::VERMILLION), (2, "clearance", Color::BLUE)] {
+        for (k, name, unit, color) in
+            [(1, "pressure", "force/length", Color::VERMILLION), (2, "clearance", "length", Color::BLUE)]
+        {
             // Where the beam hangs before the strip, its clearance is far greater than in the gap.
             let start = if k == 1 { start } else { from };
             let inside = samples.iter().filter(|sample| start <= sample[0]);
@@ -323,7 +325,7 @@ fn strips(answers: &[Answer]) -> Result<Vec<Panel>, Cause> {
             };
             let (headroom, label) = (divisions.headroom(), format!("{name}, k = {}", tolerance(answer.ground)));
             panels.push(
-                Panel::new(Axis::along("x", [start, end]), Axis::new(label))
+                Panel::new(Axis::along("x [length]", [start, end]), Axis::new(label).unit(Some(unit.to_owned())))
                     .with(Layer::zero_line([start, end]))
                     .with(Layer::Area { points: points.clone(), level: 0.0, color })
                     .with(Layer::line(points, Style::solid(color)))

@@ -236,7 +236,7 @@ fn crest(scene: &Scene) -> Result<Value, Cause> {
     let solution = exact_theory::solve(scene)?;
     let contact = solution.state.contacts.first().ok_or("the beam touches the crest")?;
     let header = ["intervals", "contact at", "position error", "error of the left reaction", "error over distance"];
-    let mut table = Table::new(header.into_iter().chain(["error of the energy"]));
+    let mut table = Table::new(header.into_iter().chain(["relative error of the energy"]));
     for n in CREST {
         let state = on_grid(scene, Method::Force, Solver::ActiveSet, n)?.state;
         let nodes = nodes_of(&state)?;

@@ -2,8 +2,8 @@
 
 // Discrepancy: nsor-articles
 //
-// Finnish has no articles: NSOR can be *a* usable algorithm or *the* usable one. The verdict is about the first reading: the sentence
-// before speaks of many efficient algorithms.
+// Finnish has no articles: NSOR can be *a* usable algorithm or *the* usable one. The verdict is about the first reading, because the
+// sentence before speaks of many efficient algorithms.
 
 use super::{Claim, Verdict};
 use crate::paper::{INTERVALS, example};

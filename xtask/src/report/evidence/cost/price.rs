@@ -120,8 +120,12 @@ fn panels(fronts: &[[Vec<&Line>; 5]; 2], exact: [Option<f64>; 2]) -> Vec<Panel> 
     let panels = fronts.iter().zip(exact).zip(GROUNDS).map(|((fronts, exact), (_, ground))| {
         let x = Axis::new("correct digits").including(&digits).including(&[0.0]);
         let y = Axis::new(format!("{ground}: time")).unit(Some("ms".to_owned()));
-        let mut panel = Panel::new(x, y.log().including(&times)).tall(800.0).room(40.0, 70.0);
-        for (k, (front, solver)) in fronts.iter().zip(SOLVERS).enumerate() {
+        let mut panel = Panel::new(x, y.log().including(&times)).tall(800.0).room(110.0, 70.0);
+        // Names are placed in this order; from left to right each has room at the end of its line.
+        let mut lines: Vec<_> = fronts.iter().zip(SOLVERS).enumerate().collect();
+        let end = |front: &[&Line]| front.last().map_or(0.0, |line| place(line)[0]);
+        lines.sort_by(|(_, (a, _)), (_, (b, _))| end(a).total_cmp(&end(b)));
+        for (k, (front, solver)) in lines {
             let style = Style { dash: Some(Dash::Solid), ..Style::of_series(k) };
             let factor = one_digit(front).map(|[time, _]| format!(" × {}", significant(time, 2))).unwrap_or_default();
             let places = front.iter().map(|line| place(line)).collect();

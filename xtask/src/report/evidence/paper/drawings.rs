@@ -6,8 +6,8 @@ use palkki_evidence::closed::FlatSolution;
 
 // Discrepancy: figures-redrawn
 //
-// The text speaks of contact pressure. Figures 4 and 7 show nodal contact forces, each over the spacing a pressure. Further panels show
-// the left lift-off point and the sum of the forces from the left end; in Figure 8 the difference from beam theory.
+// The text speaks of contact pressure. Figures 4 and 7 show nodal forces, the pressure times the spacing. The panels of the left
+// lift-off point, of the sums, and of the difference from beam theory are ours.
 
 /// Digits of a value that is written beside the point that it belongs to.
 const DIGITS: usize = 4;

@@ -164,7 +164,7 @@ pub(crate) fn first_force(study: &Study<'_>) -> Result<Evidence, Cause> {
 /// The first nodal contact force of each grid beside the resultant at the lift-off point: `[intervals, force / T]`.
 fn panel_of_first_force(first: Vec<Place>, resultant: Vec<Place>) -> Panel {
     let [from, to] = [GRIDS.start(), GRIDS.end()].map(|n| f64::from(*n));
-    let y = Axis::new("force / T, where T is the point force of beam theory at lift-off").including(&[0.0]);
+    let y = Axis::new("force / T, with the concentrated force T of beam theory").including(&[0.0]);
     let x = Axis { padding: 0.02, ..Axis::new("intervals N").including(&[0.0]) };
     // The name of the scattered circles stands beside the frame, off them.
     let name = Layer::named(vec![[to, 0.5]], Style::solid(Color::VERMILLION), "first nodal force");

@@ -2,8 +2,8 @@
 
 // Discrepancy: figures-5c-and-6
 //
-// By the text the flexibility matrix belongs to the forces of Figure 5c, and Figure 6 shows the meaning of an entry. We draw the nodal
-// forces t = q − p with the deflection C t, and the beam under a unit force at a node.
+// By the text Figure 5c has the forces of the flexibility matrix, and Figure 6 the meaning of an entry. We draw the nodal forces
+// t = q − p with the deflection C t, and the beam under a unit force at a node.
 
 use palkki::methods::Discrete;
 use palkki::plot::{Arrow, Arrows, Axis, Color, Dash, Layer, LoadSketch, Marker, Panel, Place, Style, significant};
@@ -58,9 +58,9 @@ pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let data = Table::new(columns).rows(rows);
 
     let l = beam.length();
-    let above =
-        sketch("5c: nodal forces t = q − p, and the deflection C t", l, &all, &under_all).with(arrows(&all, &forces));
-    let below = sketch("6: a force of 1 at node j, and the deflection of node i", l, &one, &under_one)
+    let above = sketch("5c: nodal forces t = q − p, and the deflection C t [length]", l, &all, &under_all)
+        .with(arrows(&all, &forces));
+    let below = sketch("6: a unit force at node j, the deflection of node i [length]", l, &one, &under_one)
         .with(Layer::Load(LoadSketch {
             level: 0.0,
             intensity: Vec::new(),
@@ -92,7 +92,7 @@ fn sketch(name: &str, length: f64, nodes: &[Place], exact: &theory::Exact) -> Pa
     const SAMPLES: u32 = 400;
     let places = (0..=SAMPLES).map(|i| length * f64::from(i) / f64::from(SAMPLES));
     let line = places.map(|x| [x, exact.deflection(x)]).collect();
-    Panel::new(Axis::along("x", [0.0, length]), Axis::new(name).down().including(&[0.0]))
+    Panel::new(Axis::along("x [length]", [0.0, length]), Axis::new(name).down().including(&[0.0]))
         .tall(560.0)
         .room(150.0, 60.0)
         .forces(Axis::new("").bare())

@@ -32,7 +32,7 @@ pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     grids.dedup();
     let of = |solver: &str| errors.iter().filter(move |error| error.0 == solver).collect::<Vec<_>>();
 
-    let y = Axis::new("error of the solver").log();
+    let y = Axis::new("relative solver error").log();
     let mut panel = Panel::new(Axis::new("intervals N").log(), y).tall(760.0);
     for (k, solver) in SOLVERS.into_iter().enumerate() {
         let points: Vec<Place> = of(solver).iter().map(|error| [as_number(error.1), error.2]).collect();

@@ -16,7 +16,7 @@ const GRIDS: [usize; 5] = [2, 3, 5, 8, 31];
 /// The finest grid on which NSOR runs: on finer ones most runs use up their budget, which other pages show.
 const NSOR: usize = 8;
 /// What the row of beam theory is called.
-const THEORY: &str = "beam theory";
+const THEORY: &str = "grid-free";
 /// The group of the map.
 const DEPTHS: &str = "depths";
 
