@@ -10,7 +10,7 @@ use palkki::{Settings, Solution, solve, solve_exactly};
 use palkki_evidence::random::Feature::{Hinge, Joint, SoilSteps, Spring, Steps, Stop, Tension, Turning};
 use palkki_evidence::random::{Feature, general_on_grid, sample_of};
 
-use super::giving::{agree, approach, known, read};
+use super::giving::{COARSE, FEW, agree, approach, known, read};
 use crate::scenes::run;
 
 /// A beam of length 10 and stiffness 30 under this axial force, and more lines of the beam.
@@ -83,10 +83,11 @@ const GROUPS: [(&str, &[Feature], bool); 3] = [
 fn drawn(
     (of, on_soil): (&'static [Feature], bool),
     compressed: bool,
+    intervals: usize,
     cases: u32,
 ) -> impl Iterator<Item = (u32, Scene, Solution)> {
     (0..sample_of(cases)).filter_map(move |i| {
-        let drawn = general_on_grid(u64::from(i), of, on_soil, 60.0);
+        let drawn = general_on_grid(u64::from(i), of, on_soil, intervals as f64);
         let text = drawn.features.contains(&Tension).then_some(drawn.text)?;
         if !compressed {
             return known(i, &text);
@@ -105,23 +106,23 @@ fn drawn(
 #[test]
 fn random_beams_under_tension_on_grids_approach_beam_theory() {
     for (name, of, on_soil) in GROUPS {
-        approach(name, drawn((of, on_soil), false, 160));
+        approach(name, drawn((of, on_soil), false, COARSE, 160));
     }
 }
 
 #[test]
 fn random_beams_under_compression_on_grids_approach_beam_theory() {
     for (name, of, on_soil) in GROUPS {
-        approach(name, drawn((of, on_soil), true, 200));
+        approach(name, drawn((of, on_soil), true, COARSE, 200));
     }
 }
 
 #[test]
 fn other_solvers_come_to_the_same_answer_under_an_axial_force() {
     for (name, of, on_soil) in GROUPS {
-        agree(name, drawn((of, on_soil), false, 60), 85);
+        agree(name, drawn((of, on_soil), false, FEW, 60), 85);
         // Compression leaves the libraries the matrix alone, whose condition number is the square of that of the sparse form.
-        agree(name, drawn((of, on_soil), true, 60), 75);
+        agree(name, drawn((of, on_soil), true, FEW, 60), 75);
     }
 }
 

@@ -12,7 +12,7 @@ use palkki::scene::file::{ReadProblem, parse};
 use palkki::solve_exactly;
 use palkki_evidence::elements::{Found, Numbers, Reference, Shares, reference};
 use palkki_evidence::practice::Family;
-use palkki_evidence::random::sample_of;
+use palkki_evidence::random::{draws_all, rare_sample_of};
 
 use crate::support::assert_table;
 
@@ -136,10 +136,10 @@ fn told(share: f64) -> String {
     if share < 1e-8 { "below 1e-8".to_owned() } else { format!("{share:.1e}") }
 }
 
-/// The row of the first quarter of a family, and what is wrong with as many as are drawn.
+/// The row of the first quarter of a family, if so many are drawn, and what is wrong with those that are.
 fn tried(family: Family, cases: u32) -> (String, Vec<String>) {
     let (mut count, mut pinned) = (Count::default(), String::new());
-    for i in 0..sample_of(cases) {
+    for i in 0..rare_sample_of(cases) {
         count.add(i, &family.case(i).text(), COARSE.contains(&(family, i)));
         if count.cases == cases / 4 {
             pinned = count.row(family.name());
@@ -163,6 +163,7 @@ fn head() -> String {
     format!("{:<21} cases no answer {:>15} {:>20} certified {heads}", "", "refused", "not certified")
 }
 
+/// The table has the first quarter of each family, of which a sixteenth is no part that it could be compared with.
 #[test]
 fn beams_in_practice_are_certified_and_right() {
     let head = head();
@@ -174,6 +175,9 @@ fn beams_in_practice_are_certified_and_right() {
     let rows = families.each_ref().map(|(row, _)| row.as_str()).join("\n");
     let wrong: Vec<String> = families.into_iter().flat_map(|(_, wrong)| wrong).collect();
     assert!(wrong.is_empty(), "{head}\n{rows}\n{wrong:#?}");
+    if !draws_all() {
+        return;
+    }
     assert_table!(
         "practice",
         "What becomes of beams in practice, by families; differences from finite elements as shares of the largest of a kind",

@@ -8,7 +8,7 @@ use palkki::scene::{Foundation, Scene};
 use palkki::theory::{self, Exact};
 use palkki_evidence::authority::{RANDOM, RBig};
 use palkki_evidence::practice::Family;
-use palkki_evidence::random::{self, Feature, Random, general, sample_of};
+use palkki_evidence::random::{self, Feature, Random, general, rare_sample_of, sample_of};
 
 use super::bracket;
 use crate::scenes::{report, scene, uniform};
@@ -179,7 +179,7 @@ fn random_general_scenes_are_proven() {
             let scene = parse("scene.toml", &general(i, of, on_soil).text, |_| Err(ReadProblem::Missing)).ok()?;
             Some((format!("general {i}, soil {on_soil}, {of:?}"), scene))
         };
-        proves((0..).filter_map(scene), sample_of(GENERAL_SCENES));
+        proves((0..).filter_map(scene), rare_sample_of(GENERAL_SCENES));
     }
 }
 

@@ -77,6 +77,9 @@ pub(super) struct Mesh<'a> {
     pub(super) nodes: Vec<f64>,
     pub(super) values: Vec<Wide>,
     pub(super) springs: Vec<Spring>,
+    /// What there is without springs: the stiffness of the elements, and the loads.
+    bare: Band,
+    pub(super) loads: Vec<Wide>,
 }
 
 /// Shape functions of an element of length `h` at a share `t` of it.
@@ -106,18 +109,42 @@ impl Element {
             return [Wide::ZERO; 4];
         }
         let h = Wide::from(self.h);
-        let rise = (values[2] - values[0]) / h;
+        let rise = (values[2] - values[0]).over(self.h);
         let (left, right) = (values[1] - rise, values[3] - rise);
-        let [a, b] =
-            [left + left + right, left + right + right].map(|turned| (turned + turned) / h * self.stiffness.into());
-        let shear = (a + b) / h;
+        let [a, b] = [left + left + right, left + right + right]
+            .map(|turned| (turned + turned).over(self.h).times(self.stiffness));
+        let shear = (a + b).over(self.h);
         let pull = |parts: [f64; 3], h: Wide| {
-            let sum = rise * parts[0].into() + values[1] * parts[1].into() + values[3] * parts[2].into();
-            sum * h * (self.tension / 30.0).into()
+            let sum = rise.times(parts[0]) + values[1].times(parts[1]) + values[3].times(parts[2]);
+            (sum * h).times(self.tension / 30.0)
         };
+        if self.tension == 0.0 {
+            return [shear, a, -shear, b];
+        }
         let (cross, one) =
             (pull([-36.0, 3.0, 3.0], 1.0.into()), [pull([-3.0, 4.0, -1.0], h), pull([-3.0, -1.0, 4.0], h)]);
         [shear + cross, a + one[0], -shear - cross, b + one[1]]
+    }
+
+    /// Its stiffness by columns.
+    fn columns(self) -> [[Wide; 4]; 4] {
+        if 0.0 < self.h && self.tension == 0.0 {
+            let two = Wide::from(2.0 * self.stiffness).over(self.h);
+            let six = (two + two + two).over(self.h);
+            let twelve = (six + six).over(self.h);
+            let four = two + two;
+            return [
+                [twelve, six, -twelve, six],
+                [six, four, -six, two],
+                [-twelve, -six, twelve, -six],
+                [six, two, -six, four],
+            ];
+        }
+        [0, 1, 2, 3].map(|freedom| {
+            let mut unit = [Wide::ZERO; 4];
+            unit[freedom] = 1.0.into();
+            self.bent(&unit)
+        })
     }
 }
 
@@ -134,8 +161,9 @@ impl<'a> Mesh<'a> {
             nodes.extend(std::iter::repeat_n(pair[1], if joined { 2 } else { 1 }));
         }
         let values = vec![Wide::ZERO; 2 * nodes.len()];
-        let mut mesh = Self { problem, nodes, values, springs: Vec::new() };
-        mesh.make_springs();
+        let (bare, loads) = (Band::default(), Vec::new());
+        let mut mesh = Self { problem, nodes, values, springs: Vec::new(), bare, loads };
+        mesh.assemble();
         mesh
     }
 
@@ -153,7 +181,14 @@ impl<'a> Mesh<'a> {
         Element { h, stiffness: problem.bending(from, to), tension: problem.tension }
     }
 
-    pub(super) fn make_springs(&mut self) {
+    /// Whatever the nodes alone decide.
+    pub(super) fn assemble(&mut self) {
+        self.make_springs();
+        self.loads = self.nodal_loads();
+        self.bare = self.bent();
+    }
+
+    fn make_springs(&mut self) {
         let mut springs = Vec::new();
         for support in &self.problem.supports {
             let (holds, stiffness) = (!support.pushes_only, support.stiffness.unwrap_or(RIGID));
@@ -201,7 +236,7 @@ impl<'a> Mesh<'a> {
     }
 
     /// Loads of the nodes: those of the elements and the point loads.
-    pub(super) fn loads(&self) -> Vec<Wide> {
+    fn nodal_loads(&self) -> Vec<Wide> {
         let mut loads = vec![Wide::ZERO; self.values.len()];
         for (i, pair) in self.nodes.windows(2).enumerate() {
             let parts = carried(pair[1] - pair[0], self.problem.load(pair[0], pair[1]));
@@ -218,28 +253,29 @@ impl<'a> Mesh<'a> {
         loads
     }
 
-    /// Deflections and slopes if the springs that are pressed hold, none of them stiffer than so.
-    fn held(&self, most: f64) -> Vec<Wide> {
+    /// The stiffness of the elements.
+    fn bent(&self) -> Band {
         /// So little holds every node that a free beam has an answer on the way: 1e-18 of its bending stiffness.
         const LOOSE: f64 = 1e-18;
         let mut band = Band::zeros(self.values.len());
-        let mut right = self.loads();
         for i in 0..self.nodes.len() - 1 {
             let element = self.element(i);
-            for c in 0..4 {
-                let mut unit = [Wide::ZERO; 4];
-                unit[c] = 1.0.into();
-                let column = element.bent(&unit);
-                (0..=c).for_each(|r| band.add(2 * i + r, 2 * i + c, column[r]));
-            }
+            let columns = element.columns();
+            (0..4).for_each(|c| (0..=c).for_each(|r| band.add(2 * i + r, 2 * i + c, columns[c][r])));
         }
-        (0..right.len()).for_each(|i| band.add(i, i, LOOSE.into()));
+        (0..self.values.len()).for_each(|i| band.add(i, i, LOOSE.into()));
+        band
+    }
+
+    /// Deflections and slopes if the springs that are pressed hold, none of them stiffer than so.
+    fn held(&self, most: f64) -> Vec<Wide> {
+        let (mut band, mut right) = (self.bare.clone(), self.loads.clone());
         for spring in self.springs.iter().filter(|spring| spring.presses()) {
             let stiffness = Wide::from(spring.stiffness.min(most));
             for (i, a) in spring.moved() {
-                let part = stiffness * a.into();
-                right[i] = right[i] + part * spring.gap.into();
-                spring.moved().filter(|(j, _)| i <= *j).for_each(|(j, b)| band.add(i, j, part * b.into()));
+                let part = stiffness.times(a);
+                right[i] = right[i] + part.times(spring.gap);
+                spring.moved().filter(|(j, _)| i <= *j).for_each(|(j, b)| band.add(i, j, part.times(b)));
             }
         }
         band.solved(right)
@@ -248,31 +284,37 @@ impl<'a> Mesh<'a> {
     /// Presses and lets go of springs until none changes. True if it came to that.
     pub(super) fn settle(&mut self, most: f64) -> bool {
         const STEPS: u32 = 100;
+        let mut from = self.compressions(&self.values);
         for _ in 0..STEPS {
             let found = self.held(most);
-            let next: Vec<f64> = self.springs.iter().map(|spring| spring.compression(&found)).collect();
+            let next = self.compressions(&found);
             let size = self.force_size(most, &next);
             let changed = |(spring, s): (&Spring, &f64)| {
                 !spring.holds && spring.pressed != (0.0 < *s) && size * 1e-13 < spring.stiffness.min(most) * s.abs()
             };
-            let settled = !self.springs.iter().zip(&next).any(changed);
-            let step = if settled { 1.0 } else { self.step(&found, &next, most) };
-            for (value, found) in self.values.iter_mut().zip(found) {
-                *value = *value + (found - *value) * step.into();
-            }
-            if settled {
+            if !self.springs.iter().zip(&next).any(changed) {
+                self.values = found;
                 return true;
             }
-            self.press();
+            let step = self.step(&found, [&from, &next], most);
+            for (value, found) in self.values.iter_mut().zip(found) {
+                *value = *value + (found - *value).times(step);
+            }
+            from = self.press();
         }
         false
     }
 
-    /// Those springs press that the beam presses in.
-    pub(super) fn press(&mut self) {
-        for spring in &mut self.springs {
-            spring.pressed = 0.0 < spring.compression(&self.values);
-        }
+    /// How far each spring is pressed in.
+    fn compressions(&self, values: &[Wide]) -> Vec<f64> {
+        self.springs.iter().map(|spring| spring.compression(values)).collect()
+    }
+
+    /// Those springs press that the beam presses in; by how much.
+    pub(super) fn press(&mut self) -> Vec<f64> {
+        let compressions = self.compressions(&self.values);
+        self.springs.iter_mut().zip(&compressions).for_each(|(spring, by)| spring.pressed = 0.0 < *by);
+        compressions
     }
 
     /// The springs of soil or rigid ground.
@@ -302,41 +344,34 @@ impl<'a> Mesh<'a> {
     }
 
     /// How far to go from the values to those that were found: to the least energy, which is convex, or at most all of the way.
-    fn step(&self, found: &[Wide], next: &[f64], most: f64) -> f64 {
+    fn step(&self, found: &[Wide], [from, next]: [&[f64]; 2], most: f64) -> f64 {
         let change: Vec<Wide> = found.iter().zip(&self.values).map(|(a, b)| *a - *b).collect();
-        let bend: f64 = self
-            .nodes
-            .windows(2)
-            .enumerate()
-            .map(|(i, _)| {
+        let bend: f64 = (0..self.nodes.len() - 1)
+            .map(|i| {
                 let d = &change[2 * i..2 * i + 4];
                 self.element(i).bent(d).iter().zip(d).fold(Wide::ZERO, |sum, (a, b)| sum + *a * *b).near()
             })
             .sum();
-        let springs = self.springs.iter().zip(next).filter(|(spring, _)| !spring.holds);
-        let springs: Vec<[f64; 4]> = springs
-            .map(|(spring, to)| {
-                let from = spring.compression(&self.values);
-                [from, *to, spring.stiffness.min(most), f64::from(u8::from(spring.pressed))]
-            })
-            .collect();
-        let held: f64 = self
-            .springs
-            .iter()
-            .zip(next)
-            .filter(|(spring, _)| spring.holds)
-            .map(|(spring, to)| {
-                let moved = to - spring.compression(&self.values);
-                spring.stiffness.min(most) * moved * moved
-            })
-            .sum();
-        // The derivative of the energy, from that at the end without what changes: the values found solve the problem of springs that were pressed.
+        // The derivative of the energy, from that at the end without what changes: the values found solve the problem of springs that were
+        // pressed. It is a line, `a + b t`, but for springs that the beam leaves or meets on the way.
+        let ([mut a, mut b], mut turning) = ([-bend, bend], Vec::new());
+        for ((spring, from), to) in self.springs.iter().zip(from).zip(next) {
+            let (moved, k) = (to - from, spring.stiffness.min(most));
+            let stays = 0.0 < *from && 0.0 < *to;
+            if spring.holds || spring.pressed && stays {
+                (a, b) = (a - k * moved * moved, b + k * moved * moved);
+                continue;
+            }
+            a -= if spring.pressed { k * moved * to } else { 0.0 };
+            if stays {
+                (a, b) = (a + k * moved * from, b + k * moved * moved);
+            } else if 0.0 < from.max(*to) {
+                turning.push([*from, moved, k]);
+            }
+        }
         let slope = |t: f64| {
-            let sum = |[from, to, k, pressed]: &[f64; 4]| {
-                let at = from + t * (to - from);
-                k * (to - from) * (at.max(0.0) - pressed * to)
-            };
-            springs.iter().map(sum).sum::<f64>() - (1.0 - t) * (bend + held)
+            let sum = |[from, moved, k]: &[f64; 3]| k * moved * (from + t * moved).max(0.0);
+            a + b * t + turning.iter().map(sum).sum::<f64>()
         };
         if slope(1.0) <= 0.0 {
             return 1.0;

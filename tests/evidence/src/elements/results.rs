@@ -8,7 +8,7 @@ impl Mesh<'_> {
     /// Whether ground and supports hold the beam. One that they do not hold is held by next to nothing, and far away.
     pub(super) fn is_held(&self) -> bool {
         const FAR: f64 = 1e9;
-        let loads = self.loads().iter().fold(0.0, |most: f64, load| most.max(load.near().abs()));
+        let loads = self.loads.iter().fold(0.0, |most: f64, load| most.max(load.near().abs()));
         let gaps = self.nodes.iter().map(|x| self.problem.gap(*x)).filter(|gap| gap.is_finite());
         let levels = self.problem.supports.iter().map(|support| support.level);
         let size = gaps.chain(levels).fold(loads, |most: f64, gap| most.max(gap.abs()));
@@ -43,7 +43,7 @@ impl Mesh<'_> {
                 self.values.extend(between(h, share, &values[2 * i..]));
             }
         }
-        self.make_springs();
+        self.assemble();
         self.press();
         true
     }
@@ -55,7 +55,7 @@ impl Mesh<'_> {
         let of_element = |i: usize| {
             let (x, h) = (self.nodes[i], self.nodes[i + 1] - self.nodes[i]);
             let is_below =
-                |t: f64| 0.0 < (between(h, t, &self.values[2 * i..])[0] - self.problem.gap(x + t * h).into()).near();
+                |t: f64| 0.0 < (sunk(h, t, &self.values[2 * i..]) - self.problem.gap(x + t * h).into()).near();
             let inside = self.soil_of(i).map(|spring| spring.pressed);
             [is_below(INSIDE), is_below(1.0 - INSIDE)].into_iter().chain(inside).collect::<Vec<bool>>()
         };
@@ -89,7 +89,7 @@ impl Mesh<'_> {
         let deflections = self.values.iter().step_by(2).map(|v| v.near());
         let [least, most] = deflections.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| [a.min(v), b.max(v)]);
         // A beam that lies on flat ground all along has no range but rounding: then what its load would do counts.
-        let load = self.loads().iter().step_by(2).fold(0.0, |sum, load| sum + load.near().abs());
+        let load = self.loads.iter().step_by(2).fold(0.0, |sum, load| sum + load.near().abs());
         let is_level = most - least <= LEVEL * most.abs().max(least.abs());
         let size = if is_level { FLAT * load } else { most - least };
         let pressed = self.pressed();
@@ -102,7 +102,7 @@ impl Mesh<'_> {
             let is_below = |t: f64| {
                 let hangs =
                     h * h * h * h * (a + b) / (48.0 * self.element(i).stiffness) * t * t * (1.0 - t) * (1.0 - t);
-                let v = between(h, t, &self.values[2 * i..])[0] - self.problem.gap(x + t * h).into();
+                let v = sunk(h, t, &self.values[2 * i..]) - self.problem.gap(x + t * h).into();
                 below * size < v.near() + hangs
             };
             0.0 < h && NEAR_NODES.into_iter().chain([0.25, 0.5]).any(|t| is_below(t) || is_below(1.0 - t))
@@ -159,8 +159,7 @@ impl Mesh<'_> {
 
     /// Of bending and springs, less that of the loads.
     fn energy(&self) -> f64 {
-        let loads = self.loads();
-        let mut sum = loads.iter().zip(&self.values).fold(Wide::ZERO, |sum, (load, value)| sum - *load * *value);
+        let mut sum = self.loads.iter().zip(&self.values).fold(Wide::ZERO, |sum, (load, value)| sum - *load * *value);
         for (i, pair) in self.nodes.windows(2).enumerate() {
             let (element, values) = (self.element(i), &self.values[2 * i..2 * i + 4]);
             let bending = element.bent(values).iter().zip(values).fold(Wide::ZERO, |sum, (a, b)| sum + *a * *b);
@@ -182,11 +181,18 @@ impl Mesh<'_> {
     }
 }
 
-/// Deflection and slope at a share of an element.
+/// Values of an element times these shares.
+fn sum(shares: [f64; 4], values: &[Wide]) -> Wide {
+    shares.iter().zip(values).fold(Wide::ZERO, |sum, (share, value)| sum + value.times(*share))
+}
+
+/// Deflection at a share of an element.
+fn sunk(h: f64, t: f64, values: &[Wide]) -> Wide {
+    sum(shapes(h, t), values)
+}
+
+/// Deflection and slope there.
 fn between(h: f64, t: f64, values: &[Wide]) -> [Wide; 2] {
     let slopes = [-6.0 * t * (1.0 - t) / h, (1.0 - t) * (1.0 - 3.0 * t), 6.0 * t * (1.0 - t) / h, t * (3.0 * t - 2.0)];
-    let sum = |shares: [f64; 4]| {
-        shares.iter().zip(values).fold(Wide::ZERO, |sum, (share, value)| sum + *value * (*share).into())
-    };
-    [sum(shapes(h, t)), sum(slopes)]
+    [sunk(h, t, values), sum(slopes, values)]
 }

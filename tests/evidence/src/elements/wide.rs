@@ -41,6 +41,25 @@ impl Wide {
     pub(super) fn near(self) -> f64 {
         self.0
     }
+
+    /// Times a number of 16 digits.
+    #[inline]
+    pub(super) fn times(self, by: f64) -> Self {
+        let ([a, b], [c, d]) = (halves(self.0), halves(by));
+        let product = self.0 * by;
+        let rounded = ((a * c - product) + a * d + b * c) + b * d;
+        quick_sum(product, rounded + self.1 * by)
+    }
+
+    /// Over a number of 16 digits.
+    #[inline]
+    pub(super) fn over(self, by: f64) -> Self {
+        let first = self.0 / by;
+        let rest = self - Self::from(by).times(first);
+        let second = rest.0 / by;
+        let rest = rest - Self::from(by).times(second);
+        quick_sum(first, second) + (rest.0 / by).into()
+    }
 }
 
 impl From<f64> for Wide {
@@ -153,6 +172,7 @@ mod tests {
         let off = third * 3.0.into() - 1.0.into();
         assert!(off.near().abs() < 1e-31, "{off:?}");
         let small = 2.0_f64.powi(-80);
+        assert_eq!([third.times(3.0), third.over(7.0)], [third * 3.0.into(), third / 7.0.into()]);
         let sum = Wide::from(1.0) + small.into();
         let off = sum * sum - 1.0.into() - (2.0 * small).into();
         assert!((off.near() - small * small).abs() < 1e-31, "{off:?}");

@@ -68,7 +68,13 @@ pub fn sample_of<Count: Div<Output = Count> + From<u8>>(all: Count) -> Count {
     all / Count::from(if draws_all() { 1 } else { 4 })
 }
 
-/// Whether [`sample_of`] draws all.
+/// The same of what takes long for each scene: the first sixteenth.
+#[must_use]
+pub fn rare_sample_of<Count: Div<Output = Count> + From<u8>>(all: Count) -> Count {
+    all / Count::from(if draws_all() { 1 } else { 16 })
+}
+
+/// Whether [`sample_of`] and [`rare_sample_of`] draw all.
 #[must_use]
 pub fn draws_all() -> bool {
     std::env::var_os("PALKKI_DRAW").is_some_and(|wish| wish == "all")
