@@ -80,7 +80,10 @@ impl Read {
         Ok(match model {
             Model::Scene(scene) => {
                 let (title, units) = (scene.title().to_owned(), scene.units().clone());
-                let warnings = scene.far_depths().iter().map(ToString::to_string).collect();
+                let signs = scene.doubtful_signs();
+                let far = scene.far_depths();
+                let warnings =
+                    far.iter().map(ToString::to_string).chain(signs.iter().map(ToString::to_string)).collect();
                 Self::Beam(Box::new(Input { name, title, units, scene, files, results, warnings }))
             }
             Model::Body(scene) => {

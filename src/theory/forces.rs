@@ -2,7 +2,7 @@
 
 use super::list::{List, Node};
 use super::piecewise::PiecewiseScene;
-use super::sensitivity::ends;
+use super::sensitivity::{ends, parts_before};
 use super::span::{EndCondition, Span};
 
 /// Concentrated forces at the nodes, `R = P + v'''(x−) − v'''(x+) + N [v']`, with zero beyond the ends of the beam; at a support
@@ -64,13 +64,16 @@ fn add_turns(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], force
     }
 }
 
-/// The largest shear force in the spans next to a node, including the largest shear force that the end moments of a span alone could
+/// The largest shear force in the spans next to a node, including the largest shear force that the end moments of a whole span alone could
 /// cause. The rounding of a concentrated force is a share of this number.
 pub(super) fn force_beside(spans: &[(usize, Span)], node: usize) -> f64 {
-    ends(spans, node).into_iter().flatten().fold(0.0, |most: f64, span| {
-        let of_moments = (span.beam_a[2].abs() + span.beam_b[2].abs()) / span.length();
-        most.max(of_moments).max(span.beam_a[3].abs()).max(span.beam_b[3].abs())
-    })
+    let of = |(before, span): (usize, Option<&Span>)| {
+        let Some(span) = span else { return 0.0 };
+        let length: f64 = parts_before(spans, before).iter().map(|(_, part)| part.length()).sum();
+        let of_moments = (span.beam_a[2].abs() + span.beam_b[2].abs()) / length;
+        of_moments.max(span.beam_a[3].abs()).max(span.beam_b[3].abs())
+    };
+    [node, node + 1].into_iter().zip(ends(spans, node)).map(of).fold(0.0, f64::max)
 }
 
 /// Moments `−e v''` just to the left and just to the right of the nodes, with zero beyond the ends of the beam.

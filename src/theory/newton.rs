@@ -27,6 +27,9 @@ const REFINED: usize = 1;
 const ROUNDING: f64 = 1e-15;
 /// Step size below which a step that no longer shrinks counts as rounding too.
 const NEARLY: f64 = 1e-12;
+/// A contact that is nearer to a division of the beam than this share of the beam is at the division: the part between them would be as
+/// short as the rounding of its ends. It is the rounding of a position that [`super::check`] accepts.
+const RESOLVED: f64 = super::check::PLACE;
 /// The largest movement in one step towards a neighbour across a span, as a share of their distance.
 const APPROACH: f64 = 0.45;
 
@@ -179,10 +182,12 @@ pub(super) fn residual(given: &PiecewiseScene, list: &List, spans: &[(usize, Spa
     let moving = |row: &&Row| row.unknown == Some(Unknown::Place);
     let step = rows.iter().filter(moving).map(|row| row.step / given.length).fold(0.0, most);
     let mut unresolved = (0.0, 0);
-    for &(i, span) in spans {
+    for parts in spans.chunk_by(|(i, _), (j, _)| i == j) {
+        let i = parts[0].0;
+        let length: f64 = parts.iter().map(|(_, span)| span.length()).sum();
         let beside = i.saturating_sub(1)..rows.len().min(i + 1);
         for row in rows[beside].iter().filter(moving) {
-            let part = row.step.abs() / span.length();
+            let part = row.step.abs() / length;
             if unresolved.0 < part {
                 unresolved = (part, i);
             }
@@ -272,6 +277,9 @@ fn apply(given: &PiecewiseScene, list: &mut List, rows: &[Row], brackets: &mut [
             list.nodes[i].move_to(bounded, 0.0);
         } else {
             list.nodes[i].move_to(x, node.low + step);
+        }
+        if let Some(division) = given.division_at(list.nodes[i].x, RESOLVED * given.length) {
+            list.nodes[i].move_to(division, 0.0);
         }
         applied.size = applied.size.max(step.abs() / given.length);
     }

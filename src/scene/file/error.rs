@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::Problem;
+use super::mistyped;
 use super::problem::is_forbidden;
 use super::survey::line_end;
 use super::table::Span;
@@ -58,6 +59,14 @@ impl FileError {
         Self { problem: self.problem.without_text(), ..self }
     }
 
+    /// The remedy for frequent mistakes. How a number is mistyped is in the line, not in the message of the TOML parser.
+    fn help(&self) -> Option<String> {
+        match &self.problem {
+            Problem::Syntax { .. } => self.place.as_ref().and_then(|place| mistyped::in_line(place.text.as_deref()?)),
+            problem => problem.help(),
+        }
+    }
+
     /// The message with an excerpt of the file, in terminal colours if `colour`. Without the feature `cli` there is no excerpt.
     #[must_use]
     pub fn render(&self, colour: bool) -> String {
@@ -65,7 +74,7 @@ impl FileError {
         let title = printable(&self.problem.to_string());
         let file = printable(&self.file);
         let lines = |text: String| text.split('\n').map(printable).collect::<Vec<_>>().join("\n");
-        let notes = [self.problem.expected(), self.problem.help()].map(|note| note.map(lines));
+        let notes = [self.problem.expected(), self.help()].map(|note| note.map(lines));
         picture(&title, &file, self.place.as_ref(), notes, colour)
     }
 }

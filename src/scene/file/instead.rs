@@ -24,6 +24,21 @@ const INSTEAD: &[Instead] = &[
         write: &[("foundation", "write the foundation in the table [foundation]")],
     },
     Instead {
+        table: "",
+        keys: &["length", "bending_stiffness", "shape", "joints", "tension"],
+        write: &[("beam", "write it below the line [beam]")],
+    },
+    Instead {
+        table: "",
+        keys: &["uniform", "linear", "point", "couple"],
+        write: &[("load", "write it below the line [load]")],
+    },
+    Instead {
+        table: "",
+        keys: &["depth", "polynomial", "cosine", "points", "survey", "stiffness"],
+        write: &[("foundation", "write it below the line [foundation]")],
+    },
+    Instead {
         table: "beam",
         keys: &[
             "e",
@@ -131,6 +146,15 @@ const INSTEAD: &[Instead] = &[
     },
     Instead {
         table: "load",
+        keys: &["temperature", "gradient", "shrinkage", "prestress"],
+        write: &[(
+            "",
+            "write a temperature gradient, or shrinkage, as the shape of the unloaded beam: `shape = { polynomial = [0, 0, c/2] }` in \
+             [beam] for the curvature c",
+        )],
+    },
+    Instead {
+        table: "load",
         keys: &["points", "force", "forces", "concentrated", "p", "f"],
         write: &[("point", "write concentrated forces as `point = [{ at = …, force = … }]`")],
     },
@@ -152,7 +176,10 @@ const INSTEAD: &[Instead] = &[
     Instead {
         table: "load.point[]",
         keys: &["moment", "couple"],
-        write: &[("", "a point force has no moment; a moment M at x is two forces -M/d at x - d/2 and M/d at x + d/2")],
+        write: &[(
+            "",
+            "a point force has no moment; write a moment M at x as `couple = [{ at = x, moment = M }]` in [load]",
+        )],
     },
     Instead {
         table: "foundation",

@@ -14,6 +14,7 @@ mod error;
 mod forces;
 mod instead;
 mod locate;
+mod mistyped;
 mod problem;
 mod reader;
 mod survey;

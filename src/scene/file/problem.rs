@@ -3,10 +3,11 @@
 use std::fmt;
 
 use super::instead::instead;
+use super::mistyped;
 use super::survey_problem::{MARKS, SurveyProblem};
 use crate::body::BodyProblem;
 use crate::scene::written::against;
-use crate::scene::{Profile, SceneError};
+use crate::scene::{Profile, SceneError, Unheld};
 
 /// The reason why a file could not be read as text. The function that the caller passes for reading returns it.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -260,7 +261,13 @@ impl Problem {
     #[must_use]
     pub fn help(&self) -> Option<String> {
         match self {
-            Self::UnknownKey { key, table, known } => instead(key, table, known).map(str::to_owned),
+            Self::UnknownKey { key, table, known } => {
+                let lower = known.iter().find(|known| known.eq_ignore_ascii_case(key));
+                let help = instead(key, table, known).map(str::to_owned);
+                help.or_else(|| lower.map(|lower| format!("write it in lower case: `{lower}`")))
+            }
+            Self::WrongType { found, expected, .. } => mistyped_as(found, expected),
+            Self::Scene { error, .. } => sign_of(error).map(str::to_owned),
             Self::Survey(problem) => problem.help(),
             _ => None,
         }
@@ -296,6 +303,30 @@ impl Problem {
             }
             _ => None,
         }
+    }
+}
+
+/// The remedy for a value that is probably a mistyped number, from the words for what was found and for what is required.
+fn mistyped_as(found: &str, expected: &str) -> Option<String> {
+    if let Some(text) = found.strip_prefix("the text \"").and_then(|text| text.strip_suffix('"'))
+        && expected.starts_with("a number")
+    {
+        return mistyped::in_text(text);
+    }
+    // A decimal comma separates two numbers.
+    let is_long = ["an array of length 3", "an array of length 4"].contains(&found);
+    (is_long && expected.contains('['))
+        .then(|| "write numbers with a decimal point: a comma separates two numbers".to_owned())
+}
+
+/// The remedy where a number probably has the sign of the other convention.
+fn sign_of(error: &SceneError) -> Option<&'static str> {
+    match error {
+        SceneError::AboveSupport { depth, level, .. } if *depth < 0.0 && 0.0 <= *level => {
+            Some("depths are positive downwards: a foundation below the line of the supports has positive depths")
+        }
+        SceneError::Unheld(Unheld::PulledUp { .. }) => Some("loads are positive downwards"),
+        _ => None,
     }
 }
 

@@ -1,11 +1,14 @@
 //! The solution of the chain of the parts of a span.
 
+mod settled;
+
 use super::Answer;
 use crate::qp::blocks::{Block, PENALTY, factor, factor_under_tension, solve_towards};
 use crate::theory::piecewise::{AtSpring, Breakpoint, PiecewiseScene};
 use crate::theory::span::{End, FixedEnd};
 use crate::theory::tension::Tense;
 use crate::theory::way::{Prescribed, Way};
+use settled::State;
 
 /// A part of the span, with the effect of its load.
 pub(super) struct Part {
@@ -35,6 +38,13 @@ impl Part {
             [chord - sixth * (2.0 * n + m) + own_a[0], shear_a, shear_a],
             [chord + sixth * (n + 2.0 * m) + own_b[0], shear_b, shear_b],
         ]
+    }
+
+    /// The change of the quantity in equilibrium from end to end.
+    fn loaded(&self) -> f64 {
+        let [own_a, own_b] =
+            self.tense.map_or_else(|| self.own().map(|own| own[1]), |tense| tense.own.map(|own| own[1]));
+        own_b - own_a
     }
 
     /// `h'` and `N` caused by its load alone.
@@ -174,10 +184,18 @@ impl Chain<'_> {
             let Place { step, couple, .. } = self.places[i + 1];
             let ([h, m], [k, o]) = (found[at[i][1]], found[at[i + 1][0]]);
             let (hs, ns) = ([h, k - step], [m, o - couple]);
-            let [[a1, _, a3], [b1, _, b3]] = self.parts[i].ends(hs, ns);
-            [[hs[0], a1, ns[0], a3], [hs[1], b1, ns[1], b3]]
+            let ends = self.parts[i].ends(hs, ns);
+            State {
+                h: hs,
+                n: ns,
+                slope: ends.map(|end| end[0]),
+                shear: ends.map(|end| end[1]),
+                third: ends.map(|end| end[2]),
+            }
         };
-        Some(((0..n).map(state).collect(), answer))
+        let states = self.settled((0..n).map(state).collect());
+        let both = |State { h, n, slope, third, .. }: State| [0, 1].map(|end| [h[end], slope[end], n[end], third[end]]);
+        Some((states.into_iter().map(both).collect(), answer))
     }
 
     /// Whether elimination under an axial force proceeds towards the left end. This end is free, or, between two nodes under tension, the

@@ -86,3 +86,58 @@ fn a_deflection_beyond_linear_theory_is_named() {
         }
     }
 }
+
+/// Depths and loads of the other convention are named where they are valid, and whoever means them gets no warning.
+#[test]
+fn a_sign_of_the_other_convention_is_named() {
+    let folder = Folder::new("signs");
+    let [up, down] = ["every load is negative", "every depth of `foundation` is negative"];
+    for (beam, load, foundation, expected) in [
+        ("", "uniform = -1e-3", "depth = 1", Some(up)),
+        ("", "point = [{ at = 5, force = -1e-3 }]", "depth = 1", Some(up)),
+        ("", "linear = [{ from = 0, to = 5, start = 0, end = -1e-3 }]", "depth = 1", Some(up)),
+        ("", "uniform = -1e-3", "", None),
+        ("", "uniform = -1e-3\npoint = [{ at = 5, force = 1e-3 }]", "depth = 1", None),
+        ("", "couple = [{ at = 5, moment = -1e-3 }]", "depth = 1", None),
+        ("supports = []", "uniform = 1e-3", "depth = -1", Some(down)),
+        ("supports = []", "uniform = 1e-3", "points = [[0, -2], [5, -1], [10, -2]]", Some(down)),
+        ("supports = []", "uniform = 1e-3", "cosine = { mean = -2, amplitude = 0.1, wavelength = 20 }", Some(down)),
+        ("supports = []", "uniform = 1e-3", "points = [[0, -2], [5, 0], [10, -2]]", None),
+        ("supports = [{ at = 0, level = -1.1 }]", "uniform = 1e-3", "depth = -1", None),
+        ("supports = []\nshape = { polynomial = [-2] }", "uniform = 1e-3", "depth = -1", None),
+    ] {
+        let foundation = if foundation.is_empty() { String::new() } else { format!("[foundation]\n{foundation}\n") };
+        let scene = format!("[beam]\nlength = 10\nbending_stiffness = 1000\n{beam}\n[load]\n{load}\n{foundation}");
+        folder.write("scene.toml", &scene);
+        let (_, _, json) = folder.json("solve scene.toml");
+        let warnings: Vec<&str> = json
+            .get("warnings")
+            .and_then(|list| list.as_array())
+            .into_iter()
+            .flatten()
+            .filter_map(Value::as_str)
+            .collect();
+        match (expected, &warnings[..]) {
+            (None, []) => {}
+            (Some(expected), [warning]) => assert!(warning.starts_with(expected), "{warning}\n{scene}"),
+            _ => panic!("{warnings:?}\n{scene}"),
+        }
+    }
+    for (beam, load, foundation, expected) in [
+        ("", "uniform = 1", "depth = -1", "depths are positive downwards"),
+        ("supports = []", "uniform = -1", "depth = 1", "loads are positive downwards"),
+    ] {
+        let scene =
+            format!("[beam]\nlength = 10\nbending_stiffness = 1\n{beam}\n[load]\n{load}\n[foundation]\n{foundation}\n");
+        folder.write("scene.toml", scene);
+        let message = folder.refused("solve scene.toml");
+        assert!(message.contains(&format!("help: {expected}")), "{message}");
+    }
+}
+
+#[test]
+fn no_scene_of_the_report_has_a_sign_of_the_other_convention() {
+    for (name, scene) in scenes::report() {
+        assert_eq!(scene.doubtful_signs(), [], "{name}");
+    }
+}

@@ -5,4 +5,5 @@ mod determinism;
 mod extremes;
 mod hostile;
 mod invariances;
+mod mistyped;
 mod work;

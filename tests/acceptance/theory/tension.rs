@@ -1,5 +1,6 @@
 //! Beams under an axial force. Numbers of 16 digits come from a 40-digit computation by an engine that shares no code with this one.
 
+mod centred;
 mod giving;
 mod random;
 
