@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::written::shown;
+use super::written::as_written;
 use super::{Foundation, Scene};
 
 /// A sign that a user of the other convention would write.
@@ -55,7 +55,7 @@ impl fmt::Display for DoubtfulSign {
                 f,
                 "every depth of `foundation` is negative, at most {}: the foundation lies above the line of depth 0 everywhere. Depths \
                  are positive downwards, so elevations have to change their signs",
-                shown(greatest)
+                as_written(greatest)
             ),
             Self::Loads => write!(
                 f,
