@@ -8,7 +8,6 @@ use super::penetration::deepest;
 use super::piece::{Piece, all_pieces};
 use super::piecewise::PiecewiseScene;
 use super::pull::mean_pull;
-use super::sensitivity::ends;
 use super::span::{EndCondition, Span};
 use super::violation::Violation;
 use crate::certificate::CERTIFIED_RESIDUAL;
@@ -51,11 +50,6 @@ impl Check {
     /// Largest of all forces.
     pub(super) fn largest_force(&self) -> f64 {
         self.scale.force
-    }
-
-    /// The length of the shorter span next to a node.
-    pub(super) fn shortest_beside(&self, node: usize) -> f64 {
-        ends(&self.spans, node).into_iter().flatten().fold(f64::INFINITY, |least, span| span.length().min(least))
     }
 }
 

@@ -4,6 +4,8 @@
 //! A contact that is missing there hardly changes the deflection or the energy. But an admissible deflection has to be lifted over it
 //! by the depth of the penetration, and the energy of this lift is as large as the bending energy of so short a span.
 
+// Held by: theory::surveys::surveys_of_smooth_waves_are_certified_under_a_light_load
+
 use super::check::{Check, check};
 use super::list::{List, Node};
 use super::newton;
@@ -21,9 +23,8 @@ use super::violation::Violation;
 /// Maximum number of lists from a close check. Each adds one contact to a span. A hundred thousand points of a smooth foundation need
 /// four lists. More are needed where a coarse guess replaced many close contacts by one.
 const ROUNDS: usize = 16;
-/// Penetration allowed at the distance `d` from the nearer end of a span, as a share of `v'' d²`, and excess slope allowed next to an
-/// edge, as a share of the rotation `v'' ℓ`. The bound on the deflection is a few times the largest share. This value keeps it at a
-/// hundredth of the required error, which is a millionth of the deflection.
+/// Penetration allowed at the distance `d` from the nearer end of a span, as a share of `v'' d²`. The bound on the deflection is a few
+/// times the largest share. This value keeps it at a hundredth of the required error, which is a millionth of the deflection.
 const SHARE: f64 = 1e-9;
 /// Smallest number of cells that needs a close check. With `n` equal cells the check misses at most `n²/32` times
 /// [`TOLERANCE`](super::check::TOLERANCE) of the bow of the shortest span; below this number that is at most [`SHARE`].
@@ -34,7 +35,7 @@ const ROUNDED: f64 = 4.0 * f64::EPSILON;
 
 /// The last solved list of those that follow from a close check, or the given list; its work includes all lists.
 pub(super) fn checked_closely(given: &PiecewiseScene, mut found: Candidate) -> Candidate {
-    let mut faults = closely(given, &found.list, &found.checked);
+    let mut faults = closely(given, &found.checked);
     let mut last = None;
     for _ in 0..ROUNDS {
         if faults.is_empty() {
@@ -50,7 +51,7 @@ pub(super) fn checked_closely(given: &PiecewiseScene, mut found: Candidate) -> C
         let normal = normal_form(given, &list.nodes);
         let converged = run.converged && normal == list;
         let checked = check(given, &normal);
-        faults = closely(given, &normal, &checked);
+        faults = closely(given, &checked);
         found.steps += run.steps;
         found.lists += 1;
         let next = Candidate { list: normal, checked, converged, ..found };
@@ -82,9 +83,8 @@ fn tangent(given: &PiecewiseScene, list: &List, checked: &Check, faults: &[(usiz
     (nodes.len() < list.nodes.len()).then(|| normal_form(given, &nodes))
 }
 
-/// The faults of a close check: penetration of a straight foundation as a share of the bow up to the next contact, and slopes next to
-/// edges.
-fn closely(given: &PiecewiseScene, list: &List, checked: &Check) -> Vec<(usize, Violation)> {
+/// The faults of a close check: penetration of a straight foundation as a share of the bow up to the next contact.
+fn closely(given: &PiecewiseScene, checked: &Check) -> Vec<(usize, Violation)> {
     let mut faults = Vec::new();
     if !given.founded || !given.is_straight(0) || given.cells.len() < MANY {
         return faults;
@@ -98,10 +98,7 @@ fn closely(given: &PiecewiseScene, list: &List, checked: &Check) -> Vec<(usize, 
             (SHARE * bent * near * near).min(checked.allowed(given, span, x)).max(rounding)
         };
         let found = deepest(given, &checked.pieces, span, allowed);
-        match found {
-            Some((at, depth)) => faults.push((*i, Violation::Penetration { at, depth })),
-            None => faults.extend(turned(given, list, checked, *i, span).map(|fault| (*i, fault))),
-        }
+        faults.extend(found.map(|(at, depth)| (*i, Violation::Penetration { at, depth })));
     }
     faults
 }
@@ -117,24 +114,6 @@ fn rounding(given: &PiecewiseScene, span: &Span) -> f64 {
 /// The largest slope of some cells of a straight foundation.
 fn steepest(given: &PiecewiseScene, cells: std::ops::RangeInclusive<usize>) -> f64 {
     cells.fold(0.0, |most, cell| given.derivative(cell, given.cells[cell].lo, 1).abs().max(most))
-}
-
-/// The violation at an edge at an end of span `i`, next to which the beam goes below the foundation and comes up again at once. The
-/// beam touches the slope there instead.
-fn turned(given: &PiecewiseScene, list: &List, checked: &Check, i: usize, span: &Span) -> Option<Violation> {
-    let ends = [(i.checked_sub(1), 1.0, &span.a, &span.at_a), (Some(i), -1.0, &span.b, &span.at_b)];
-    ends.into_iter().find_map(|(node, side, end, at)| {
-        // Next to a compression-only support the foundation is deeper.
-        let node = node.filter(|&node| list.nodes.get(node).is_some_and(|node| node.is_edge(given)) && at[0] <= 0.0)?;
-        let (turn, bend) = (-side * at[1], at[2]);
-        let cell = &given.cells[end.cell];
-        let most = 0.5 * span.length().min(cell.hi - cell.lo);
-        // The moments of the spans on both sides depend on the error of the slope.
-        let allowed = SHARE * bend * checked.shortest_beside(node).min(span.length());
-        let is_beyond = 0.0 < bend && allowed.max(ROUNDED * steepest(given, end.cell..=end.cell)) < turn;
-        let depth = 0.5 * turn * turn / bend;
-        (is_beyond && turn < most * bend).then(|| Violation::Penetration { at: end.x + side * turn / bend, depth })
-    })
 }
 
 #[cfg(test)]

@@ -238,6 +238,7 @@ fn carried(list: &List, i: usize, from: &PiecewiseScene, to: &PiecewiseScene, [u
 }
 
 /// A node in another scene that moves along a smooth piece of the profile.
+// Held by: sweep::events::contacts_move_with_a_joint, for pieces that have moved.
 fn moved(node: &Node, from: &PiecewiseScene, to: &PiecewiseScene, unit: f64) -> Option<Node> {
     let shape = from.cells[node.cell].shape;
     // The first cell of that piece to the right of the same support.

@@ -154,6 +154,7 @@ impl Normal<'_> {
     /// Adds a free end or a hinge: at the left end a zone starts, at the right end it ends.
     fn add_tip(&mut self, tip: Node) {
         let is_hinge = tip.breakpoint.is_some_and(|i| self.given.breakpoints[i].is_jointed());
+        // Held by: theory::giving::random::random_beams_on_springs_and_stops
         if is_hinge && tip.lies && !self.inside {
             self.nodes.pop_if(|last| last.breakpoint == tip.breakpoint);
         }

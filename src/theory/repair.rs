@@ -21,7 +21,7 @@ pub(super) fn repaired(given: &PiecewiseScene, list: &List, checked: &Check, fau
     for &(i, fault) in faults {
         match fault {
             Violation::Inverted { .. } => repair.inverted(i),
-            Violation::Broken { at } => repair.broken(i, at),
+            Violation::Broken { at } => repair.broken(at),
             Violation::PullAlong { .. } => repair.pull_along(i),
             Violation::Penetration { depth, .. } if depth < found.depths[i] && is_divided(checked, i) => {}
             Violation::Pull { .. } => repair.pull(i),
@@ -123,27 +123,15 @@ impl Repair<'_> {
         self.added.extend(gaps);
     }
 
-    /// Adds a gap to a zone over a joint above a curved foundation. Above a crest the beam lifts off at the joint; in a hollow the
-    /// joint touches.
-    fn broken(&mut self, i: usize, at: f64) {
+    /// Adds a gap to a zone over a joint above a crest, where the beam lifts off. In a hollow the joint touches, and the chain finds it.
+    fn broken(&mut self, at: f64) {
         let given = self.given;
         let Some(joint) = given.breakpoint_at(at).filter(|&joint| given.breakpoints[joint].is_jointed()) else {
             return;
         };
-        let (Some(gap), Some([start, end])) = (gap_at(given, joint), self.list.nodes.get(i - 1..=i)) else { return };
-        if at - gap <= start.x {
-            self.keep[i - 1] = false;
-        } else {
-            self.added.push(Node::end(at - gap, given.cell_to(at)));
-        }
-        if given.bent(given.cells_beside(joint)[1], at, 2) < 0.0 {
-            self.added.push(edge_node(given, joint));
-        }
-        if end.x <= at + gap {
-            self.keep[i] = false;
-        } else {
-            self.added.push(Node::start(at + gap, given.cell_from(at)));
-        }
+        let Some(gap) = gap_at(given, joint) else { return };
+        self.added.push(Node::end(at - gap, given.cell_to(at)));
+        self.added.push(Node::start(at + gap, given.cell_from(at)));
     }
 
     /// Replaces a point by a zone, because the profile bulges into the beam on both sides, unless the zone would be in tension.
@@ -258,11 +246,11 @@ impl Repair<'_> {
     }
 }
 
-/// Slightly more than half of the gap that a joint causes where a beam follows a curved foundation under a pressure `p`. With
-/// `n = e |g''|` the joint rotates by `θ = w (n − p ℓ²/2)` above a crest and by `w (n − p ℓ²/4)` in a hollow, where it touches, and
+/// Slightly more than half of the gap that a joint causes where a beam follows a crest under a pressure `p`; [`None`] in a hollow. With
+/// `n = e g''` the joint rotates by `θ = w (n − p ℓ²/2)`, and
 ///
 /// ```text
-/// e θ = 2 p ℓ³/3   above a crest,     e θ = p ℓ³/12   in a hollow
+/// e θ = 2 p ℓ³/3
 /// ```
 ///
 /// For a stiff joint the first term of `θ` dominates; for a hinge the bracket vanishes. `ℓ` is less than either limit.
@@ -272,11 +260,9 @@ fn gap_at(given: &PiecewiseScene, joint: usize) -> Option<f64> {
     let x = given.breakpoints[joint].x;
     let [_, cell] = given.cells_beside(joint);
     let (bent, pressure, e) = (given.bent(cell, x, 2), -given.drive(cell, x), given.cells[cell].stiffness);
-    let [of_stiff, of_hinge] = if 0.0 < bent { [1.5, 2.0] } else { [12.0, 4.0] };
-    let turned = e * given.breakpoints[joint].joint * bent.abs();
-    let of_stiff = libm::cbrt(of_stiff * turned / pressure);
-    let gap = MORE * of_stiff.min((of_hinge * bent.abs() / pressure).sqrt());
-    (0.0 < gap && gap.is_finite()).then_some(gap)
+    let of_stiff = libm::cbrt(1.5 * (e * given.breakpoints[joint].joint * bent) / pressure);
+    let gap = MORE * of_stiff.min((2.0 * bent / pressure).sqrt());
+    (0.0 < bent && 0.0 < gap && gap.is_finite()).then_some(gap)
 }
 
 /// The edge at `at` in a span, if there is one.

@@ -1,24 +1,24 @@
 //! The compression-only supports on which a rigid beam rests, where nothing else is below it. They are a starting list where the chain
 //! of links fails, because the levels differ by far more than the beam bends.
 
+// Held by: theory::pushing::a_stiff_beam_rests_on_two_of_many_supports
+
 use super::list::List;
 use super::normal::{edge_node, normal_form};
 use super::overhang::Overhang;
 use super::piecewise::PiecewiseScene;
 
-/// Two starting lists: the supports that a rigid beam touches, and all supports.
-pub(super) fn lists(given: &PiecewiseScene) -> [List; 2] {
-    [rigid(given), given.bearings.clone()].map(|bearings| {
-        let mut nodes = List::free(given).nodes;
-        nodes.extend(bearings.into_iter().map(|i| edge_node(given, i)));
-        nodes.sort_by(|a, b| a.x.total_cmp(&b.x));
-        normal_form(given, &nodes)
-    })
+/// The list of a rigid beam.
+pub(super) fn rigid_beam(given: &PiecewiseScene) -> List {
+    let mut nodes = List::free(given).nodes;
+    nodes.extend(under_rigid_beam(given).into_iter().map(|i| edge_node(given, i)));
+    nodes.sort_by(|a, b| a.x.total_cmp(&b.x));
+    normal_form(given, &nodes)
 }
 
 /// The supports under a rigid beam. Of all lines that are nowhere below a support it follows the one that is deepest at the resultant
 /// of the loads. This line passes through two compression-only supports, or through one and the support that holds the beam.
-fn rigid(given: &PiecewiseScene) -> Vec<usize> {
+fn under_rigid_beam(given: &PiecewiseScene) -> Vec<usize> {
     let place = |&i: &usize| (given.breakpoints[i].x, given.breakpoints[i].depth);
     // The moment of the loads about the right end of the beam.
     let turn = Overhang::of(given, given.length, true).moment;

@@ -148,24 +148,13 @@ pub(super) fn search(given: &PiecewiseScene, near: impl Iterator<Item = List>) -
         }
     }
     if !given.founded && !is_solved(&best) {
-        best = from_rigid_beam(given, best)?;
+        best = with_repairs(given, resting::rigid_beam(given), ROUNDS, best, &mut places)?;
     }
     let found = match best {
         Some(found) if found.solved() || !is_long => found,
         found => better(found, free(given)),
     };
     Ok(Candidate { samples: taken, ..found })
-}
-
-/// The best of an earlier candidate that is not solved and the lists of a rigid beam at rest.
-fn from_rigid_beam(given: &PiecewiseScene, mut best: Option<Candidate>) -> Result<Option<Candidate>, TheoryError> {
-    for list in resting::lists(given) {
-        best = with_repairs(given, list, ROUNDS, best, &mut Vec::new())?;
-        if best.as_ref().is_some_and(Candidate::solved) {
-            break;
-        }
-    }
-    Ok(best)
 }
 
 /// The better of an earlier candidate, if there is one, and a new one.

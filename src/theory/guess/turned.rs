@@ -43,20 +43,14 @@ impl Samples {
 
     /// Adds the springs at samples. Rotational springs count only at the ends of the beam: a first guess does not need the others.
     pub(super) fn on_springs(&self, given: &PiecewiseScene, samples: &mut [ChainSample]) {
-        /// Spring stiffness relative to the beam, above which the spring is treated as rigid: in 64-bit numbers the bending next to it
-        /// would be lost.
-        const STIFF: f64 = 1e8;
-        let (last, cube) = (samples.len() - 1, given.length * given.length * given.length);
+        let last = samples.len() - 1;
         for (i, sample) in samples.iter_mut().enumerate() {
             let at = self.breakpoint(given, i);
             let [left, right] = at.map_or([0; 2], |at| given.cells_beside(at));
             let slope = |cell: usize| given.derivative(cell, self.x[i], 1);
             if let Some(spring) = at.and_then(|at| given.spring_at(at)) {
                 let clearance = given.derivative(right, self.x[i], 0) - spring.level;
-                match spring.stiffness * cube < STIFF {
-                    true => sample.spring = [spring.stiffness, clearance],
-                    false => sample.held = Some(clearance),
-                }
+                sample.spring = [spring.stiffness, clearance];
             }
             match at.and_then(|at| given.turning_at(at)) {
                 Some([k, without]) if i == 0 => {

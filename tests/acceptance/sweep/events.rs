@@ -1,5 +1,6 @@
 //! Events: between them nothing happens, and at them something does.
 
+use palkki::scene::file::{ReadProblem, parse};
 use palkki::scene::{Foundation, Support};
 use palkki::sweep::{Event, Sweep};
 use palkki::theory::{self, Exact};
@@ -309,4 +310,26 @@ fn what_comes_and_goes_between_two_rows_is_found() {
     let found = events(&scene, "load.point[0].at", [2.0, 8.0], 2);
     assert_eq!(found.len(), 2, "{found:?}");
     assert!((found[0].value + found[1].value - 10.0).abs() < 1e-11, "{found:?}");
+}
+
+/// A joint divides the foundation into two smooth pieces. As it moves, the contacts of an answer move with their pieces, otherwise the
+/// value at which the zone splits has only nine digits.
+#[test]
+fn contacts_move_with_a_joint() {
+    let at = |place: f64| {
+        let text = format!(
+            "[beam]\nlength = 10.0\nbending_stiffness = 34.1\njoints = [{{ at = {place:?}, stiffness = 5.6 }}]\n\n\
+             [load]\nuniform = 36.9\npoint = [{{ at = 4.8, force = 14.7 }}]\n\n\
+             [foundation]\npolynomial = [0.2, 0.0044, -0.00044]\n"
+        );
+        parse("joint.toml", &text, |_| Err(ReadProblem::Missing)).expect("a scene")
+    };
+    let found = events(&at(2.8), "beam.joints[0].at", [1.0, 4.0], 7);
+    let split = found.first().expect("an event");
+    assert!(split.what.ends_with("splits"), "{split:?}");
+    let contacts = [-1.0, 1.0].map(|sign| {
+        let beside = at(split.value * (1.0 + sign * 3e-11));
+        theory::solve(&beside).expect("an answer").state.contacts.len()
+    });
+    assert_eq!(contacts, [1, 2], "{split:?}");
 }
