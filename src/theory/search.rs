@@ -147,7 +147,7 @@ pub(super) fn search(given: &PiecewiseScene, near: impl Iterator<Item = List>) -
             break;
         }
     }
-    if !given.founded && given.supports.is_empty() && !is_solved(&best) {
+    if !given.founded && !is_solved(&best) {
         best = with_repairs(given, resting::rigid_beam(given), ROUNDS, best, &mut places)?;
     }
     let found = match best {

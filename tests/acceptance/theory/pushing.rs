@@ -272,19 +272,24 @@ fn levels_far_beyond_the_sag_leave_forces_certain() {
 /// do. Forces by statics.
 #[test]
 fn a_stiff_beam_rests_on_two_of_many_supports() {
-    const AT: [[f64; 2]; 5] = [[1.9, 15e3], [4.0, 41e3], [4.2, 23e3], [4.3, -20e3], [9.7, 32e3]];
-    let (q, [at, force]) = (1.7, [5.5, 2.4]);
-    let beam =
-        Beam::new(10.0, 4.8e8).and_then(|beam| beam.with_supports(AT.map(|[at, level]| pushing(at, level)).to_vec()));
-    let beam = beam.expect("a beam");
-    let load = Load::new(&beam, q, Vec::new(), vec![PointLoad { at, force }]).expect("a load");
-    let found = forces(&Scene::new(beam, load, None).expect("a scene"));
-    let right = (10.0 * q * (5.0 - 4.3) + force * (at - 4.3)) / (9.7 - 4.3);
-    let expected = [0.0, 0.0, 0.0, 10.0 * q + force - right, right];
-    for (found, expected) in found.iter().zip(expected) {
-        assert!((found - expected).abs() <= DIGITS * (10.0 * q + force), "{found} instead of {expected}");
+    const FREE: [[f64; 2]; 5] = [[1.9, 15e3], [4.0, 41e3], [4.2, 23e3], [4.3, -20e3], [9.7, 32e3]];
+    let free = FREE.map(|[at, level]| pushing(at, level)).to_vec();
+    let hinged = vec![Support::simple(0.0), pushing(4.64, 231e3), pushing(9.82, 263e3)];
+    for (supports, [left, right], bending, q, [at, force]) in
+        [(free, [3, 4], 4.8e8, 1.7, [5.5, 2.4]), (hinged, [0, 2], 2.43e8, 0.731, [2.73, 2.99])]
+    {
+        let [from, to] = [left, right].map(|i: usize| supports[i].at);
+        let mut expected = vec![0.0; supports.len()];
+        expected[right] = (10.0 * q * (5.0 - from) + force * (at - from)) / (to - from);
+        expected[left] = 10.0 * q + force - expected[right];
+        let beam = Beam::new(10.0, bending).and_then(|beam| beam.with_supports(supports)).expect("a beam");
+        let load = Load::new(&beam, q, Vec::new(), vec![PointLoad { at, force }]).expect("a load");
+        let found = forces(&Scene::new(beam, load, None).expect("a scene"));
+        assert_eq!(found.len(), expected.len());
+        for (found, expected) in found.iter().zip(expected) {
+            assert!((found - expected).abs() <= DIGITS * (10.0 * q + force), "{found} instead of {expected}");
+        }
     }
-    assert_eq!(found.len(), expected.len());
 }
 
 /// By places and levels of all supports, loads, stiffness and depth.
