@@ -111,9 +111,9 @@ fn beside(springs: &[(i32, Found)], first_stiff: i32) -> impl Iterator<Item = &F
 
 fn of_forces<'a>(all: impl Iterator<Item = &'a Found>) -> Table {
     let header =
-        ["forces", "error if not told", "error with `--load nodal`", "accepted", "worst violation at the nodes"];
+        ["forces", "error", "error with `--load nodal`", "accepted without, with it", "maximum violation at the nodes"];
     Table::new(header).rows(all.map(|found| {
-        let accepted = format!("{}, then {}", yes_no(found.accepted[0]), yes_no(found.accepted[1]));
+        let accepted = format!("{}, {}", yes_no(found.accepted[0]), yes_no(found.accepted[1]));
         let [not_told, told] = found.errors.map(|error| cell(Some(error), 2));
         row![found.who, not_told, told, accepted, words(found.worst)]
     }))
@@ -128,7 +128,7 @@ fn words(violation: Option<Violation>) -> String {
     let Some(violation) = violation.filter(|v| ROUNDING < v.relative) else { return "none".to_owned() };
     let what = match violation.kind {
         ViolationKind::Tension => "a force pulls",
-        ViolationKind::Penetration => "beam in the ground",
+        ViolationKind::Penetration => "beam below the foundation",
         ViolationKind::Complementarity => "force without touching",
         ViolationKind::SpringLaw => "force of no spring",
         ViolationKind::Balance => "forces out of balance",
