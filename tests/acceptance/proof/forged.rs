@@ -7,7 +7,7 @@ use palkki::scene::file::{ReadProblem, parse};
 use palkki::theory;
 use palkki_evidence::authority::RBig;
 use palkki_evidence::authority::check::{Scene, check};
-use palkki_evidence::random::{Feature, Random, general, rare_sample_of};
+use palkki_evidence::random::{Feature, Random, general, sample_of};
 
 use super::{read, text};
 use crate::scenes::scene;
@@ -150,7 +150,7 @@ fn a_forged_proof_is_refused_or_still_true() {
     let mut random = Random::new(0x000f_0496_ed00);
     let proofs = proofs();
     let mut found = BTreeMap::<&str, [usize; 2]>::new();
-    for k in 0..rare_sample_of(FORGED) {
+    for k in 0..sample_of(FORGED) {
         let Proven { text, scene, proof, bracket } = &proofs[k % proofs.len()];
         let mut other = None;
         let (what, forged) = match random.below(12) {

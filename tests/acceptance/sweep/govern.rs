@@ -3,7 +3,7 @@
 use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, Support};
 use palkki::sweep::{Envelope, Sweep};
 use palkki::theory;
-use palkki_evidence::random::{Random, rare_sample_of};
+use palkki_evidence::random::{Random, sample_of};
 
 use super::envelope::gathered;
 use super::varied;
@@ -108,7 +108,7 @@ fn wrong(i: u64) -> Vec<String> {
 fn what_governs_does_not_depend_on_the_steps() {
     let wrong: Vec<String> = std::thread::scope(|scope| {
         let part =
-            |first: usize| move || (0..rare_sample_of(100)).skip(first).step_by(2).flat_map(wrong).collect::<Vec<_>>();
+            |first: usize| move || (0..sample_of(100)).skip(first).step_by(2).flat_map(wrong).collect::<Vec<_>>();
         let threads = [0, 1].map(|first| scope.spawn(part(first)));
         threads.into_iter().flat_map(|thread| thread.join().expect("no panic")).collect()
     });
