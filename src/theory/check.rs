@@ -101,7 +101,7 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Check {
     let presses = |node: &Node, force: f64| node.support(given).is_some() || 0.0 <= force;
     for (i, (node, &force)) in list.nodes.iter().zip(&forces).enumerate().filter(|(_, (n, f))| !presses(n, **f)) {
         let pulls = Violation::Pull { at: node.x, force: -force };
-        let most = if resolved { force_beside(&spans, i).max(AT_REST * given.total_load) } else { scale.force };
+        let most = if resolved { force_beside(given, &spans, i).max(AT_REST * given.total_load) } else { scale.force };
         judge.measure(-force, most, i, pulls);
     }
     for (i, span) in &spans {

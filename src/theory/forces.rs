@@ -64,12 +64,13 @@ fn add_turns(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], force
     }
 }
 
-/// The largest shear force in the spans next to a node, including the largest shear force that the end moments of a whole span alone could
-/// cause. The rounding of a concentrated force is a share of this number.
-pub(super) fn force_beside(spans: &[(usize, Span)], node: usize) -> f64 {
+/// The largest shear force in the spans next to a node, including the largest shear force that the end moments of a span alone could
+/// cause; under an axial force those of all its parts together. The rounding of a concentrated force is a share of this number.
+pub(super) fn force_beside(given: &PiecewiseScene, spans: &[(usize, Span)], node: usize) -> f64 {
     let of = |(before, span): (usize, Option<&Span>)| {
         let Some(span) = span else { return 0.0 };
-        let length: f64 = parts_before(spans, before).iter().map(|(_, part)| part.length()).sum();
+        let whole = || parts_before(spans, before).iter().map(|(_, part)| part.length()).sum();
+        let length: f64 = if given.tension == 0.0 { span.length() } else { whole() };
         let of_moments = (span.beam_a[2].abs() + span.beam_b[2].abs()) / length;
         of_moments.max(span.beam_a[3].abs()).max(span.beam_b[3].abs())
     };

@@ -27,8 +27,8 @@ const REFINED: usize = 1;
 const ROUNDING: f64 = 1e-15;
 /// Step size below which a step that no longer shrinks counts as rounding too.
 const NEARLY: f64 = 1e-12;
-/// A contact that is nearer to a division of the beam than this share of the beam is at the division: the part between them would be as
-/// short as the rounding of its ends. It is the rounding of a position that [`super::check`] accepts.
+/// Under an axial force a contact that is nearer to a division of the beam than this share of the beam is at the division: the part
+/// between them would be as short as the rounding of its ends. It is the rounding of a position that [`super::check`] accepts.
 const RESOLVED: f64 = super::check::PLACE;
 /// The largest movement in one step towards a neighbour across a span, as a share of their distance.
 const APPROACH: f64 = 0.45;
@@ -182,7 +182,10 @@ pub(super) fn residual(given: &PiecewiseScene, list: &List, spans: &[(usize, Spa
     let moving = |row: &&Row| row.unknown == Some(Unknown::Place);
     let step = rows.iter().filter(moving).map(|row| row.step / given.length).fold(0.0, most);
     let mut unresolved = (0.0, 0);
-    for parts in spans.chunk_by(|(i, _), (j, _)| i == j) {
+    // Under an axial force the parts of a span are resolved as a whole up to a joint, next to which a contact may be at the joint instead.
+    let is_joint = |span: &Span| given.breakpoints.get(span.b.cell + 1).is_some_and(|at| at.joint != 0.0);
+    let is_whole = |span: &Span| given.tension != 0.0 && !is_joint(span);
+    for parts in spans.chunk_by(|(i, span), (j, _)| i == j && is_whole(span)) {
         let i = parts[0].0;
         let length: f64 = parts.iter().map(|(_, span)| span.length()).sum();
         let beside = i.saturating_sub(1)..rows.len().min(i + 1);
@@ -278,7 +281,10 @@ fn apply(given: &PiecewiseScene, list: &mut List, rows: &[Row], brackets: &mut [
         } else {
             list.nodes[i].move_to(x, node.low + step);
         }
-        if let Some(division) = given.division_at(list.nodes[i].x, RESOLVED * given.length) {
+        let reach = RESOLVED * given.length;
+        if given.tension != 0.0
+            && let Some(division) = given.division_at(list.nodes[i].x, reach)
+        {
             list.nodes[i].move_to(division, 0.0);
         }
         applied.size = applied.size.max(step.abs() / given.length);

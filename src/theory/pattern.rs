@@ -291,7 +291,7 @@ impl Exact {
     /// The limit below which a force at node `i` has no reliable sign. It does not depend on forces elsewhere: a load of any size may act
     /// beyond a support. `rest` is [`Self::rest`].
     fn no_force(&self, i: usize, rest: f64) -> f64 {
-        TOLERANCE * force_beside(&self.spans, i).max(rest) * self.units.force
+        TOLERANCE * force_beside(&self.given, &self.spans, i).max(rest) * self.units.force
     }
 
     /// The smallest scale of forces, over `EI`: next to a stretch without a load all forces may be zero.

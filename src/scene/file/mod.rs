@@ -17,6 +17,7 @@ mod locate;
 mod mistyped;
 mod problem;
 mod reader;
+mod remedy;
 mod survey;
 mod survey_problem;
 mod table;

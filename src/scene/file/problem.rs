@@ -3,11 +3,11 @@
 use std::fmt;
 
 use super::instead::instead;
-use super::mistyped;
+use super::remedy;
 use super::survey_problem::{MARKS, SurveyProblem};
 use crate::body::BodyProblem;
 use crate::scene::written::against;
-use crate::scene::{Profile, SceneError, Unheld};
+use crate::scene::{Profile, SceneError};
 
 /// The reason why a file could not be read as text. The function that the caller passes for reading returns it.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -266,8 +266,9 @@ impl Problem {
                 let help = instead(key, table, known).map(str::to_owned);
                 help.or_else(|| lower.map(|lower| format!("write it in lower case: `{lower}`")))
             }
-            Self::WrongType { found, expected, .. } => mistyped_as(found, expected),
-            Self::Scene { error, .. } => sign_of(error).map(str::to_owned),
+            Self::WrongType { found, expected, .. } => remedy::of_type(found, expected),
+            Self::Scene { error, quantity } => remedy::of_number(error, quantity.is_some()).map(str::to_owned),
+            Self::SurveyNumber { quantity, found } if *quantity != "force" => remedy::of_field(found),
             Self::Survey(problem) => problem.help(),
             _ => None,
         }
@@ -303,30 +304,6 @@ impl Problem {
             }
             _ => None,
         }
-    }
-}
-
-/// The remedy for a value that is probably a mistyped number, from the words for what was found and for what is required.
-fn mistyped_as(found: &str, expected: &str) -> Option<String> {
-    if let Some(text) = found.strip_prefix("the text \"").and_then(|text| text.strip_suffix('"'))
-        && expected.starts_with("a number")
-    {
-        return mistyped::in_text(text);
-    }
-    // A decimal comma separates two numbers.
-    let is_long = ["an array of length 3", "an array of length 4"].contains(&found);
-    (is_long && expected.contains('['))
-        .then(|| "write numbers with a decimal point: a comma separates two numbers".to_owned())
-}
-
-/// The remedy where a number probably has the sign of the other convention.
-fn sign_of(error: &SceneError) -> Option<&'static str> {
-    match error {
-        SceneError::AboveSupport { depth, level, .. } if *depth < 0.0 && 0.0 <= *level => {
-            Some("depths are positive downwards: a foundation below the line of the supports has positive depths")
-        }
-        SceneError::Unheld(Unheld::PulledUp { .. }) => Some("loads are positive downwards"),
-        _ => None,
     }
 }
 

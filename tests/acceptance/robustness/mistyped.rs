@@ -71,3 +71,39 @@ fn other_errors_get_no_such_suggestion() {
         assert!(!message.contains("help: "), "{line}: {message}");
     }
 }
+
+/// A survey whose rows or fields are out of place: the message says what to do.
+#[test]
+fn surveys_are_answered_with_what_to_do() {
+    const SCENE: &str =
+        "[beam]\nlength = 10\nbending_stiffness = 1\n[load]\nuniform = 1\n[foundation]\nsurvey = 'levels.csv'\n";
+    for (rows, expected) in [
+        ("0,1\n7,1\n3,1\n10,1", Some("sort the rows by x")),
+        ("10,1\n5,1\n0,1", Some("the rows may also descend")),
+        ("0,1\n5,1\n5,1\n5,1\n10,1", Some("keep one of the rows")),
+        ("0,1\n12,1", Some("rows beyond it are left out")),
+        ("0,1\n8,1", Some("add a row at each end of the beam")),
+        ("0,1\n5,n/a\n10,1", Some("no_data = \"n/a\"")),
+        ("0,1\n5,\n10,1", Some("no_data = \"\"")),
+        ("0 m,1\n10 m,1", Some("write the number alone")),
+        ("0,1\n5,a field that is far too long to be a mark\n10,1", None),
+    ] {
+        let text = format!("x,depth\n{rows}\n");
+        let message = parse("scene.toml", SCENE, |_| Ok(text.clone())).expect_err("not valid").to_string();
+        match expected {
+            Some(expected) => assert!(message.contains("help: ") && message.contains(expected), "{rows}: {message}"),
+            None => assert!(!message.contains("help: "), "{rows}: {message}"),
+        }
+        // Of a file that must not be shown, no field is repeated.
+        let error = parse("scene.toml", SCENE, |_| Ok(text.clone())).expect_err("not valid").without_text();
+        assert!(!error.to_string().contains("n/a"), "{error}");
+    }
+    // What the messages tell to declare is read.
+    for (rows, more) in
+        [("-2,1\n5,1\n12,1", ", origin = 0"), ("0,1\n5,n/a\n10,1", ", no_data = 'n/a'"), ("10,1\n0,1", "")]
+    {
+        let declared = format!("survey = {{ file = 'levels.csv', x = 'x', depth = 'depth'{more} }}");
+        let scene = SCENE.replace("survey = 'levels.csv'", &declared);
+        assert!(parse("scene.toml", &scene, |_| Ok(format!("x,depth\n{rows}\n"))).is_ok(), "{rows}");
+    }
+}

@@ -32,13 +32,13 @@ impl State {
 
 impl Chain<'_> {
     /// Computes slope and shear force of short parts from their longer neighbours. In a short part both are small differences over its
-    /// length: a contact that is one rounding away from a division would have any force.
+    /// length: a contact that is one rounding away from a division would have any force. Without an axial force few positions are divisions.
     pub(super) fn settled(&self, mut states: Vec<State>) -> Vec<State> {
         /// A part is short if it has less than this share of the longest part: three digits would be lost.
         const SHORT: f64 = 1e-3;
         let length = |i: usize| self.parts[i].length();
         let Some(longest) = (0..states.len()).max_by(|&i, &j| length(i).total_cmp(&length(j))) else { return states };
-        let is_short = |i: &usize| length(*i) < SHORT * length(longest);
+        let is_short = |i: &usize| self.parts[*i].tense.is_some() && length(*i) < SHORT * length(longest);
         for i in (longest + 1..states.len()).filter(is_short) {
             let beside = states[i - 1];
             states[i].follow(&self.parts[i], &self.places[i], [0, 1], beside);
