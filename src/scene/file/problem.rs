@@ -268,7 +268,9 @@ impl Problem {
             }
             Self::WrongType { found, expected, .. } => remedy::of_type(found, expected),
             Self::Scene { error, quantity } => remedy::of_number(error, quantity.is_some()).map(str::to_owned),
-            Self::SurveyNumber { quantity, found } if *quantity != "force" => remedy::of_field(found),
+            Self::SurveyNumber { quantity, found } => {
+                remedy::of_field(found, ["depth", "elevation"].contains(quantity))
+            }
             Self::Survey(problem) => problem.help(),
             _ => None,
         }

@@ -39,17 +39,21 @@ pub(super) fn of_number(error: &SceneError, surveyed: bool) -> Option<&'static s
     }
 }
 
-/// The remedy for a field of a survey that is not a number.
-pub(super) fn of_field(found: &Found) -> Option<String> {
+/// The remedy for a field of a table that is not a number. `may_lack` is true where data may be missing.
+pub(super) fn of_field(found: &Found, may_lack: bool) -> Option<String> {
     /// Bytes of the longest text that marks missing data.
     const LONGEST: usize = 12;
     let Found::Text(text) = found else { return None };
+    // A number that is infinite is written well.
+    if text.trim().parse::<f64>().is_ok_and(|value| !value.is_nan()) {
+        return None;
+    }
     if text.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '.' | '-' | '+'))
         && text.contains(|c: char| c.is_ascii_digit())
     {
         return Some("write the number alone, with a decimal point".to_owned());
     }
-    (text.len() <= LONGEST).then(|| {
+    (may_lack && text.len() <= LONGEST).then(|| {
         format!(
             "if it marks missing data, declare it, and such rows are left out: \
              `survey = {{ file = …, x = \"x\", depth = \"depth\", no_data = {text:?} }}`"
