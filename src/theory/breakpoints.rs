@@ -140,7 +140,7 @@ fn divisions(cells: &[Cell], breakpoints: &[Breakpoint], springs: &[AtSpring], t
     let springy =
         |i: usize| springs.binary_search_by_key(&i, |spring| spring.breakpoint).is_ok_and(|k| springs[k].acts);
     let changes = |i: usize| cells[i - 1].stiffness.total_cmp(&cells[i].stiffness).is_ne();
-    let divides = |i: &usize| breakpoints[*i].joint != 0.0 || changes(*i) || springy(*i) || tension != 0.0;
+    let divides = |i: &usize| breakpoints[*i].is_jointed() || changes(*i) || springy(*i) || tension != 0.0;
     (1..cells.len()).filter(divides).collect()
 }
 

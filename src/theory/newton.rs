@@ -5,7 +5,7 @@
 //! slope-deflection equations of [`super::span`].
 
 use super::list::{List, Node, Unknown};
-use super::piecewise::PiecewiseScene;
+use super::piecewise::{Breakpoint, PiecewiseScene};
 use super::span::{EndCondition, Span};
 
 /// The outcome of Newton's method.
@@ -183,7 +183,7 @@ pub(super) fn residual(given: &PiecewiseScene, list: &List, spans: &[(usize, Spa
     let step = rows.iter().filter(moving).map(|row| row.step / given.length).fold(0.0, most);
     let mut unresolved = (0.0, 0);
     // Under an axial force the parts of a span are resolved as a whole up to a joint, next to which a contact may be at the joint instead.
-    let is_joint = |span: &Span| given.breakpoints.get(span.b.cell + 1).is_some_and(|at| at.joint != 0.0);
+    let is_joint = |span: &Span| given.breakpoints.get(span.b.cell + 1).is_some_and(Breakpoint::is_jointed);
     let is_whole = |span: &Span| given.tension != 0.0 && !is_joint(span);
     for parts in spans.chunk_by(|(i, span), (j, _)| i == j && is_whole(span)) {
         let i = parts[0].0;

@@ -73,7 +73,7 @@ fn in_value(value: &str, is_whole: bool) -> Option<String> {
         return (0 < count && ends(&fraction[count..]))
             .then(|| format!("write a decimal point instead of a decimal comma: `{number}.{}`", &fraction[..count]));
     }
-    let next = rest.trim_start_matches([' ', '\'', '\u{a0}', '\u{202f}', '\u{2009}']);
+    let next = rest.trim_start_matches(|c| matches!(c, ' ' | '\'') || BLANKS.contains(&c));
     if next.len() < rest.len() && rest_digits(next) == 3 {
         return Some(format!("write the number without blanks or marks between thousands: `{number}{}`", &next[..3]));
     }

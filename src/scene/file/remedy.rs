@@ -1,4 +1,4 @@
-//! Remedies for numbers that are valid and out of place: a sign, an order, a missing value.
+//! Remedies for values that a scene cannot have: a mistyped number, a sign, an order of rows, missing data.
 
 use super::{Found, mistyped};
 use crate::scene::{SceneError, Unheld};

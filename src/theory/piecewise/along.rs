@@ -29,7 +29,7 @@ impl PiecewiseScene {
     /// The position of the division nearest to `x`, if it is no joint and at most `reach` away.
     pub(in crate::theory) fn division_at(&self, x: f64, reach: f64) -> Option<f64> {
         let at = |i: usize| self.divisions.get(i).map(|i| &self.breakpoints[*i]);
-        let place = |i: usize| at(i).filter(|at| at.joint == 0.0).map(|at| at.x);
+        let place = |i: usize| at(i).filter(|at| !at.is_jointed()).map(|at| at.x);
         let next = self.divisions.partition_point(|i| self.breakpoints[*i].x < x);
         let beside = [next.checked_sub(1).and_then(place), place(next)].into_iter().flatten();
         beside.min_by(|a, b| (a - x).abs().total_cmp(&(b - x).abs())).filter(|at| (at - x).abs() <= reach)

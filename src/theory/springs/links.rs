@@ -273,7 +273,7 @@ impl Beam<'_> {
         let link = &self.links[i];
         let ([from, to], l) = ([0, 1].map(|side| link.end(side, 0.0, 0.0)), link.hi - link.lo);
         let ([g, k], [r, s]) = fixed_end_of_load(self.given, &from, &to);
-        let flex = self.given.curvature(link.cells[0], l);
+        let flex = l / self.stiffness(link);
         let [turn_a, turn_b] = self.base_rotations(i);
         let own = [[-turn_a - flex * (g / 3.0 + k / 6.0), r], [turn_b + flex * (g / 6.0 + k / 3.0), -s]];
         Link { c: 1.0 / l, w: flex / 3.0, off: flex / 6.0, own, ..link.clone() }

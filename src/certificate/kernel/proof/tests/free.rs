@@ -84,22 +84,27 @@ fn couples_at_free_ends_are_cut_off() {
     }
 }
 
+/// The force on a crest.
+const ON_CREST: f64 = 50.0;
+/// The distance of the nearest stops from a crest.
+const STOP: f64 = LENGTH / 274_877_906_944.0;
+
+/// `u = 1 + c (x − m)²`.
+fn crest(middle: f64, c: f64) -> Foundation {
+    Foundation::Polynomial { coefficients: vec![1.0 + c * middle * middle, -2.0 * c * middle, c] }
+}
+
 /// A beam on the crest of `u = 1 + c (x − m)²`, below forces that bend it there by the moment `M`: beside the crest the clearance has
 /// the curvature `2 c − M/EI`. The ground stops it at the distance `f` on both sides, where it is known by `f² (g − v̂)''/2`.
 #[test]
 fn a_single_place_is_stopped_on_both_of_its_sides() {
-    let force = 50.0;
-    let crest = |middle: f64, c: f64| Foundation::Polynomial {
-        coefficients: vec![1.0 + c * middle * middle, -2.0 * c * middle, c],
-    };
-    let far = LENGTH / 274_877_906_944.0;
-    let at = |x: f64| vec![PointLoad { at: x, force }];
+    let at = |x: f64| vec![PointLoad { at: x, force: ON_CREST }];
     let (pair, _) = pair_of(&free(crest(8.0, 0.25), 0.0, at(8.0)), &[node(Kind::Touch, 8.0, 0.0)]).expect("in balance");
     let [Line(left, right)] = pair.lines[..] else { panic!("one pair of places, not {:?}", pair.lines) };
-    assert_eq!([left.from, right.from].map(f64::to_bits), [8.0 - far, 8.0 + far].map(f64::to_bits));
+    assert_eq!([left.from, right.from].map(f64::to_bits), [8.0 - STOP, 8.0 + STOP].map(f64::to_bits));
     for place in [left, right] {
         // Half as much again for places that are rounded.
-        let expected = 0.25 * far * far;
+        let expected = 0.25 * STOP * STOP;
         assert!((expected..1.5 * expected).contains(&place.uncertainty), "{place:?}, not {expected}");
     }
     assert!(pair.gap <= 1e-20, "{}", pair.gap);
@@ -113,26 +118,6 @@ fn a_single_place_is_stopped_on_both_of_its_sides() {
     // The couple 50/4 at the crest, taken by either of two spans of 4, and what presses at both stops, where the clearance is 4.
     let moments = 12.5 * (2.0 + 2.0) / (3.0 * STIFFNESS).sqrt();
     close("gap", beside.0.gap, 0.5 * moments * moments + 2.0 * (12.5 / 4.0) * 4.0);
-    // Bent by forces at both ends.
-    let beam = Beam::new(LENGTH, STIFFNESS).expect("positive").with_supports(Vec::new()).expect("none");
-    for mirrored in [false, true] {
-        let x = |x: f64| if mirrored { LENGTH - x } else { x };
-        let points = vec![
-            PointLoad { at: x(0.0), force: 8.0 },
-            PointLoad { at: x(8.0), force },
-            PointLoad { at: x(LENGTH), force: 16.0 / 3.0 },
-        ];
-        let load = Load::new(&beam, 0.0, Vec::new(), points).expect("finite");
-        let scene = Scene::new(beam.clone(), load, Some(crest(x(8.0), 2.0))).expect("well posed");
-        let (pair, _) = pair_of(&scene, &[node(Kind::Touch, x(8.0), 0.0)]).expect("in balance");
-        let expected = 0.5 * far * far * (4.0 - 64.0 / STIFFNESS);
-        for Line(left, right) in pair.lines {
-            assert!(
-                (expected..1.5 * expected).contains(&left.uncertainty.max(right.uncertainty)),
-                "{left:?}, not {expected}"
-            );
-        }
-    }
     // Where the beam lies on the ground on both sides, it is not open there at all.
     let (pair, _) = pair_of(
         &free(Foundation::Flat { depth: 1.0 }, 0.0, at(7.0)),
@@ -151,6 +136,30 @@ fn a_single_place_is_stopped_on_both_of_its_sides() {
     }
     // A load so far beside it that the stops would have to press with more than what is there.
     assert!(pair_of(&free(crest(8.0, 0.25), 0.0, at(15.0)), &[node(Kind::Touch, 8.0, 0.0)]).is_none());
+}
+
+/// On the same crest, bent by forces at both ends.
+#[test]
+fn a_bent_beam_on_a_crest_is_stopped_where_it_is_open() {
+    let beam = Beam::new(LENGTH, STIFFNESS).expect("positive").with_supports(Vec::new()).expect("none");
+    for mirrored in [false, true] {
+        let x = |x: f64| if mirrored { LENGTH - x } else { x };
+        let points = vec![
+            PointLoad { at: x(0.0), force: 8.0 },
+            PointLoad { at: x(8.0), force: ON_CREST },
+            PointLoad { at: x(LENGTH), force: 16.0 / 3.0 },
+        ];
+        let load = Load::new(&beam, 0.0, Vec::new(), points).expect("finite");
+        let scene = Scene::new(beam.clone(), load, Some(crest(x(8.0), 2.0))).expect("well posed");
+        let (pair, _) = pair_of(&scene, &[node(Kind::Touch, x(8.0), 0.0)]).expect("in balance");
+        let expected = 0.5 * STOP * STOP * (4.0 - 64.0 / STIFFNESS);
+        for Line(left, right) in pair.lines {
+            assert!(
+                (expected..1.5 * expected).contains(&left.uncertainty.max(right.uncertainty)),
+                "{left:?}, not {expected}"
+            );
+        }
+    }
 }
 
 /// On a ridge between two slopes the beam turns until it lies on one of them, by as much as the bound says; on sleepers beside the
